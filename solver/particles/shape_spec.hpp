@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace scree {
+
+/// The kinds of shape a deck can name. `plane` is the half space behind a plane: a collider or a
+/// part of a combination, never a body of its own.
+enum class ShapeKind {
+  box,
+  sphere,
+  cylinder,
+  polygon,
+  plane,
+  union_of,
+  difference,
+  intersection,
+};
+
+/// The deck names of the kinds, in the order of the documentation.
+inline const std::vector<std::pair<std::string, ShapeKind>>& shape_kind_names() {
+  static const std::vector<std::pair<std::string, ShapeKind>> names{
+      {"box", ShapeKind::box},
+      {"sphere", ShapeKind::sphere},
+      {"cylinder", ShapeKind::cylinder},
+      {"polygon", ShapeKind::polygon},
+      {"plane", ShapeKind::plane},
+      {"union", ShapeKind::union_of},
+      {"difference", ShapeKind::difference},
+      {"intersection", ShapeKind::intersection}};
+  return names;
+}
+
+/// A shape as the deck states it, lengths in metres. One flat table: which members count depends on
+/// `kind`; the others keep their initial value. Vectors have `dimension` entries in the deck and
+/// three here, the third 0 in 2D.
+struct ShapeSpec {
+  ShapeKind kind = ShapeKind::box;
+
+  std::array<double, 3> lower{};   ///< box: lower corner
+  std::array<double, 3> upper{};   ///< box: upper corner, above `lower` in every axis
+  std::array<double, 3> center{};  ///< sphere
+  double radius = 0;               ///< sphere, cylinder: > 0
+  std::array<double, 3> from{};    ///< cylinder: centre of the first end
+  std::array<double, 3> to{};      ///< cylinder: centre of the other end, != from
+
+  /// polygon: at least three corners in the x-y plane, either sense of rotation, not
+  /// self-intersecting; the last is joined to the first.
+  std::vector<std::array<double, 2>> points;
+  std::array<double, 2> z{};  ///< polygon in 3D: extrusion from z[0] to z[1], z[0] < z[1]
+
+  std::array<double, 3> point{};   ///< plane: any point of it
+  std::array<double, 3> normal{};  ///< plane: out of the solid side, any length > 0
+
+  /// union, intersection: two or more shapes; difference: the first less all the others.
+  std::vector<ShapeSpec> of;
+};
+
+}  // namespace scree
