@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+# Compile flags and the functions that declare libraries and tests.
+
+# Flags every target of scree carries.
+add_library(scree_flags INTERFACE)
+target_compile_features(scree_flags INTERFACE cxx_std_20)
+target_include_directories(scree_flags INTERFACE "${CMAKE_SOURCE_DIR}" "${CMAKE_BINARY_DIR}/generated")
+target_compile_options(
+  scree_flags
+  INTERFACE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall>
+    $<$<COMPILE_LANGUAGE:CXX>:-Wextra>
+    $<$<COMPILE_LANGUAGE:CXX>:-Wpedantic>
+    # Lanes are 64 bytes on every machine; GCC notes that their calling convention depends on -march. All units share one.
+    $<$<COMPILE_LANGUAGE:CXX>:-Wno-psabi>
+    # Fused multiply-add is wanted; errno after sqrt is not read. No -ffast-math: NaN, infinity and the order of sums matter.
+    $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=fast>
+    $<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno>)
+foreach(flag IN LISTS SCREE_MARCH_FLAGS)
+  target_compile_options(scree_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:${flag}>)
+endforeach()
+
+if(SCREE_WERROR)
+  target_compile_options(scree_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+if(SCREE_SANITIZE)
+  target_compile_options(
+    scree_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=${SCREE_SANITIZE}>
+                          $<$<COMPILE_LANGUAGE:CXX>:-fno-omit-frame-pointer>)
+  if(NOT SCREE_SANITIZE MATCHES "thread")
+    target_compile_options(scree_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fno-sanitize-recover=all>)
+  endif()
+  target_link_options(scree_flags INTERFACE -fsanitize=${SCREE_SANITIZE})
+endif()
+if(SCREE_STRICT)
+  target_compile_definitions(scree_flags INTERFACE SCREE_STRICT=1)
+endif()
+if(SCREE_FP_TRAPS)
+  target_compile_definitions(scree_flags INTERFACE SCREE_FP_TRAPS=1)
+endif()
+if(SCREE_ASSERTIONS)
+  target_compile_definitions(scree_flags INTERFACE SCREE_ASSERTIONS=1 _GLIBCXX_ASSERTIONS=1)
+  target_compile_options(scree_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-UNDEBUG>)
+endif()
+if(SCREE_CUDA)
+  target_compile_definitions(scree_flags INTERFACE SCREE_CUDA=1)
+endif()
+
+# What `scree info` prints about this build.
+configure_file("${CMAKE_SOURCE_DIR}/cmake/build_info.hpp.in" "${CMAKE_BINARY_DIR}/generated/generated/build_info.hpp" @ONLY)
+
+function(scree_compile_options target)
+  target_link_libraries(${target} PUBLIC scree_flags)
+endfunction()
+
+# scree_sources(<variable> <folder>... [EXCLUDE <path>...]): all .cpp files below the folders.
+function(scree_sources result)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "EXCLUDE")
+  set(found "")
+  foreach(folder IN LISTS arg_UNPARSED_ARGUMENTS)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/${folder}/*.cpp")
+    list(APPEND found ${sources})
+  endforeach()
+  foreach(path IN LISTS arg_EXCLUDE)
+    list(FILTER found EXCLUDE REGEX "^${CMAKE_SOURCE_DIR}/${path}(/|$)")
+  endforeach()
+  set(${result} "${found}" PARENT_SCOPE)
+endfunction()
+
+# scree_add_library(<name> GLOB <folder>... [EXCLUDE <path>...]): a static library of all .cpp files of some rooms.
+function(scree_add_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "GLOB;EXCLUDE")
+  scree_sources(sources ${arg_GLOB} EXCLUDE ${arg_EXCLUDE})
+  if(NOT sources)
+    set(sources "${CMAKE_BINARY_DIR}/generated/${name}_empty.cpp")
+    file(CONFIGURE OUTPUT "${sources}" CONTENT "namespace { [[maybe_unused]] constexpr int empty_room = 0; }\n")
+  endif()
+  add_library(${name} STATIC ${sources})
+  scree_compile_options(${name})
+endfunction()
