@@ -8,7 +8,7 @@ option(SCREE_FP_TRAPS "Stop at the first division by zero, overflow or invalid f
 option(SCREE_ASSERTIONS "Keep assertions of scree and of the standard library, in any build type" OFF)
 set(SCREE_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread; empty for none")
 set(SCREE_MARCH "native" CACHE STRING
-    "Instruction set: native (this machine), portable (any 64-bit machine of the last decade), or a value of -march")
+    "Instruction set: native (this machine), portable (x86-64-v2 on PCs, machines since about 2009), or a value of -march")
 set(SCREE_MATERIALS "all" CACHE STRING "Materials to compile, by name, separated by ';'; all for every one")
 
 get_property(scree_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
