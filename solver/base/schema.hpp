@@ -67,14 +67,14 @@ struct Entry {
   EntryKind kind = EntryKind::number;
   Unit unit = Unit::none;
   bool required = true;
-  std::string fallback_text;               ///< the default as the reference prints it
-  std::optional<double> lower, upper;      ///< range of numbers, integers and vector entries
+  std::string fallback_text;           ///< the default as the reference prints it
+  std::optional<double> lower, upper;  ///< range of numbers, integers and vector entries
   bool lower_open = false, upper_open = false;
-  int length = 0;                          ///< entries of a vector; 0: domain.dimension
-  int dimension = 0;                       ///< only available with this domain.dimension; 0: both
-  std::vector<std::string> choices, later; ///< allowed names; known names of later versions
-  std::vector<std::string> variables;      ///< of expressions
-  std::string tag;                         ///< only available when the key `tag` is one of...
+  int length = 0;                           ///< entries of a vector; 0: domain.dimension
+  int dimension = 0;                        ///< only available with this domain.dimension; 0: both
+  std::vector<std::string> choices, later;  ///< allowed names; known names of later versions
+  std::vector<std::string> variables;       ///< of expressions
+  std::string tag;                          ///< only available when the key `tag` is one of...
   std::vector<std::string> tag_values;
   std::function<const SchemaBase&()> nested;
   /// For `named` whose schema depends on the key `tag` of each table: name and schema of each kind.
@@ -83,14 +83,15 @@ struct Entry {
   std::function<void*(void* spec)> member;
   std::function<void(void* member, const SchemaContext&)> reset;
   std::function<void(void* member, const Value&, const std::string& path, SchemaReader&)> read;
-  /// TOML text of the value, "" when it is not set.
-  std::function<std::string(const void* member)> write;
+  /// TOML text of the value in a deck of this dimension, "" when it is not set.
+  std::function<std::string(const void* member, int dimension)> write;
   using Visitor = std::function<void(const std::string& name, const SchemaBase&, const void* item)>;
   /// Visits the nested specs (table, list, named).
   std::function<void(const void* member, const Visitor&)> visit;
 };
 
-/// Reads documents through schemas: fills specs, collects problems, remembers which keys were given.
+/// Reads documents through schemas: fills specs, collects problems, remembers which keys were
+/// given.
 class SchemaReader {
  public:
   SchemaReader(SchemaContext context, Problems& problems)
@@ -152,7 +153,7 @@ class Field {
   /// The default.
   Field& fallback(T value) {
     entry_->required = false;
-    entry_->fallback_text = entry_->write(&value);
+    entry_->fallback_text = entry_->write(&value, 3);
     entry_->reset = [value](void* member, const SchemaContext&) {
       *static_cast<T*>(member) = value;
     };
@@ -182,9 +183,7 @@ class Field {
   /// Number of entries of a vector where it is not domain.dimension.
   Field& length(int count) { return entry_->length = count, *this; }
   /// Names that a later version will know: refused with a sentence that says so.
-  Field& later(std::vector<std::string> names) {
-    return entry_->later = std::move(names), *this;
-  }
+  Field& later(std::vector<std::string> names) { return entry_->later = std::move(names), *this; }
 
  private:
   Entry* entry_;
@@ -254,8 +253,8 @@ class Schema : public SchemaBase {
   Field<std::array<Formula, 3>> formulas(std::string key, std::array<Formula, 3> S::*member,
                                          Unit unit, std::vector<std::string> variables);
   /// Points of the plane, [m].
-  Field<std::vector<std::array<double, 2>>> points(
-      std::string key, std::vector<std::array<double, 2>> S::*member);
+  Field<std::vector<std::array<double, 2>>> points(std::string key,
+                                                   std::vector<std::array<double, 2>> S::*member);
 
   /// A nested table; `schema` is a function, so that schemas may nest in themselves. Required
   /// unless .optional() follows, which gives the nested defaults.
@@ -296,8 +295,9 @@ std::string write_number(double value);
 std::string write_formula(const Formula& formula);
 std::string write_texts(const std::vector<std::string>& texts);
 std::string write_points(const std::vector<std::array<double, 2>>& points);
-/// `entry.length` or 3 entries.
-std::string write_vector(const Entry& entry, const double* values);
+/// `entry.length` or else `dimension` entries.
+std::string write_vector(const Entry& entry, const double* values, int dimension);
+std::string write_formulas(const Entry& entry, const Formula* formulas, int dimension);
 
 }  // namespace scree
 

@@ -12,7 +12,7 @@ Field<double> Schema<S>::number(std::string key, double S::*member, Unit unit) {
   e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.number(e, value, path, *static_cast<double*>(m));
   };
-  e.write = [](const void* m) { return write_number(*static_cast<const double*>(m)); };
+  e.write = [](const void* m, int) { return write_number(*static_cast<const double*>(m)); };
   return Field<double>(e);
 }
 
@@ -24,7 +24,7 @@ Field<std::optional<double>> Schema<S>::number(std::string key, std::optional<do
     double number = 0;
     if (reader.number(e, value, path, number)) *static_cast<std::optional<double>*>(m) = number;
   };
-  e.write = [](const void* m) {
+  e.write = [](const void* m, int) {
     const auto& number = *static_cast<const std::optional<double>*>(m);
     return number ? write_number(*number) : std::string();
   };
@@ -39,7 +39,7 @@ Field<int> Schema<S>::integer(std::string key, int S::*member) {
   e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.integer(e, value, path, *static_cast<int*>(m));
   };
-  e.write = [](const void* m) { return std::to_string(*static_cast<const int*>(m)); };
+  e.write = [](const void* m, int) { return std::to_string(*static_cast<const int*>(m)); };
   return Field<int>(e);
 }
 
@@ -49,7 +49,7 @@ Field<bool> Schema<S>::flag(std::string key, bool S::*member) {
   e.read = [](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.flag(value, path, *static_cast<bool*>(m));
   };
-  e.write = [](const void* m) {
+  e.write = [](const void* m, int) {
     return std::string(*static_cast<const bool*>(m) ? "true" : "false");
   };
   return Field<bool>(e);
@@ -61,7 +61,7 @@ Field<std::string> Schema<S>::text(std::string key, std::string S::*member) {
   e.read = [](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.text(value, path, *static_cast<std::string*>(m));
   };
-  e.write = [](const void* m) { return toml_string(*static_cast<const std::string*>(m)); };
+  e.write = [](const void* m, int) { return toml_string(*static_cast<const std::string*>(m)); };
   return Field<std::string>(e);
 }
 
@@ -73,7 +73,7 @@ Field<std::vector<std::string>> Schema<S>::texts(std::string key,
   e.read = [](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.texts(value, path, *static_cast<Texts*>(m));
   };
-  e.write = [](const void* m) { return write_texts(*static_cast<const Texts*>(m)); };
+  e.write = [](const void* m, int) { return write_texts(*static_cast<const Texts*>(m)); };
   return Field<Texts>(e);
 }
 
@@ -83,12 +83,11 @@ Field<E> Schema<S>::choice(std::string key, E S::*member,
                            std::type_identity_t<std::vector<std::pair<std::string, E>>> names) {
   Entry& e = bind(std::move(key), EntryKind::choice, Unit::none, member);
   for (const auto& name : names) e.choices.push_back(name.first);
-  e.read = [&e, names](void* m, const Value& value, const std::string& path,
-                       SchemaReader& reader) {
+  e.read = [&e, names](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     const int index = reader.choice(e, value, path);
     if (index >= 0) *static_cast<E*>(m) = names[static_cast<std::size_t>(index)].second;
   };
-  e.write = [names](const void* m) {
+  e.write = [names](const void* m, int) {
     for (const auto& name : names) {
       if (name.second == *static_cast<const E*>(m)) return toml_string(name.first);
     }
@@ -105,7 +104,9 @@ auto Schema<S>::vector(std::string key, M S::*member, Unit unit) -> Field<Point>
   e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.vector(e, value, path, static_cast<double*>(m));
   };
-  e.write = [&e](const void* m) { return write_vector(e, static_cast<const double*>(m)); };
+  e.write = [&e](const void* m, int dimension) {
+    return write_vector(e, static_cast<const double*>(m), dimension);
+  };
   return Field<Point>(e);
 }
 
@@ -117,7 +118,7 @@ Field<Formula> Schema<S>::formula(std::string key, Formula S::*member, Unit unit
   e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.formula(e, value, path, *static_cast<Formula*>(m));
   };
-  e.write = [](const void* m) { return write_formula(*static_cast<const Formula*>(m)); };
+  e.write = [](const void* m, int) { return write_formula(*static_cast<const Formula*>(m)); };
   return Field<Formula>(e);
 }
 
@@ -131,12 +132,8 @@ Field<std::array<Formula, 3>> Schema<S>::formulas(std::string key,
   e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.formulas(e, value, path, static_cast<Formulas*>(m)->data());
   };
-  e.write = [](const void* m) {
-    std::string text;
-    for (const Formula& formula : *static_cast<const Formulas*>(m)) {
-      if (formula.given()) text += (text.empty() ? "[" : ", ") + write_formula(formula);
-    }
-    return text.empty() ? text : text + "]";
+  e.write = [&e](const void* m, int dimension) {
+    return write_formulas(e, static_cast<const Formulas*>(m)->data(), dimension);
   };
   return Field<Formulas>(e);
 }
@@ -149,7 +146,7 @@ Field<std::vector<std::array<double, 2>>> Schema<S>::points(
   e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.points(e, value, path, *static_cast<Points*>(m));
   };
-  e.write = [](const void* m) { return write_points(*static_cast<const Points*>(m)); };
+  e.write = [](const void* m, int) { return write_points(*static_cast<const Points*>(m)); };
   return Field<Points>(e);
 }
 
@@ -162,7 +159,7 @@ Field<N> Schema<S>::table(std::string key, N S::*member, const Schema<N>& (*sche
   e.read = [schema](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.read(schema(), m, value, path);
   };
-  e.write = [](const void*) { return std::string(); };
+  e.write = [](const void*, int) { return std::string(); };
   e.visit = [schema](const void* m, const Entry::Visitor& visitor) { visitor("", schema(), m); };
   return Field<N>(e);
 }
@@ -178,7 +175,7 @@ Field<std::optional<N>> Schema<S>::table(std::string key, std::optional<N> S::*m
   e.read = [schema](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
     reader.read(schema(), &static_cast<std::optional<N>*>(m)->emplace(), value, path);
   };
-  e.write = [](const void*) { return std::string(); };
+  e.write = [](const void*, int) { return std::string(); };
   e.visit = [schema](const void* m, const Entry::Visitor& visitor) {
     const auto& item = *static_cast<const std::optional<N>*>(m);
     if (item) visitor("", schema(), &*item);
@@ -203,7 +200,7 @@ Field<std::vector<N>> Schema<S>::list(std::string key, std::vector<N> S::*member
       reader.read(schema(), &items.emplace_back(), value.items[i], item_path);
     }
   };
-  e.write = [](const void*) { return std::string(); };
+  e.write = [](const void*, int) { return std::string(); };
   e.visit = [schema](const void* m, const Entry::Visitor& visitor) {
     for (const N& item : *static_cast<const std::vector<N>*>(m)) visitor("", schema(), &item);
   };
@@ -228,7 +225,7 @@ Field<std::vector<N>> Schema<S>::named(std::string key, std::vector<N> S::*membe
       spec.name = item.key;
     }
   };
-  e.write = [](const void*) { return std::string(); };
+  e.write = [](const void*, int) { return std::string(); };
   e.visit = [schema](const void* m, const Entry::Visitor& visitor) {
     for (const N& item : *static_cast<const std::vector<N>*>(m)) {
       visitor(item.name, schema(), &item);

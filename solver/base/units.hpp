@@ -46,10 +46,10 @@ std::string unit_examples(Unit unit);
 
 /// A number with a unit in SI: "10 MPa" -> value 1e7, dimension of a pressure.
 struct Quantity {
-  double value = 0;         ///< in SI
-  double number = 0;        ///< as written
-  Dimension dimension;      ///< of the written unit
-  bool has_unit = false;    ///< false for a bare number such as "10"
+  double value = 0;          ///< in SI
+  double number = 0;         ///< as written
+  Dimension dimension;       ///< of the written unit
+  bool has_unit = false;     ///< false for a bare number such as "10"
   std::string unknown_unit;  ///< the part that is no known unit (then value is meaningless)
 };
 

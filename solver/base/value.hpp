@@ -17,11 +17,11 @@ struct Value {
   bool boolean = false;
   std::int64_t integer = 0;
   double real = 0;
-  std::string text;           ///< of a text; for `other` (dates) as written
-  std::vector<Value> items;   ///< of an array: its entries; of a table: its members
-  std::string key;            ///< of a table's member: its key
-  Position key_position;      ///< where the key stands
-  Position position;          ///< where the value stands
+  std::string text;          ///< of a text; for `other` (dates) as written
+  std::vector<Value> items;  ///< of an array: its entries; of a table: its members
+  std::string key;           ///< of a table's member: its key
+  Position key_position;     ///< where the key stands
+  Position position;         ///< where the value stands
 
   bool is(Kind other) const { return kind == other; }
   bool is_number() const { return kind == Kind::integer || kind == Kind::real; }

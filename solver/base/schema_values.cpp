@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "solver/base/schema.hpp"
+
+/// Reading of single values: kinds, units, ranges, names, expressions.
+namespace scree {
+namespace {
+
+/// "above 0 and at most 0.5 (dimensionless)", "at least 0 Pa"; angles in degrees.
+std::string range_text(const Entry& entry) {
+  const auto bound = [&](double x) {
+    if (entry.unit == Unit::angle) {
+      const double degrees = x * 180 / std::acos(-1.0);
+      std::string text = toml_number(std::round(degrees * 1e6) / 1e6);
+      if (text.ends_with(".0")) text.resize(text.size() - 2);
+      return text + " deg";
+    }
+    std::string text = toml_number(x);
+    if (text.ends_with(".0")) text.resize(text.size() - 2);
+    const std::string symbol = unit_symbol(entry.unit);
+    return symbol.empty() ? text : text + " " + symbol;
+  };
+  std::string text;
+  if (entry.lower) text = (entry.lower_open ? "above " : "at least ") + bound(*entry.lower);
+  if (entry.upper) {
+    if (!text.empty()) text += " and ";
+    text += (entry.upper_open ? "below " : "at most ") + bound(*entry.upper);
+  }
+  return text;
+}
+
+std::string number_form(const Entry& entry) {
+  const std::string symbol = unit_symbol(entry.unit);
+  if (symbol.empty()) return "a number";
+  return "a number in " + symbol + " or a quoted number with a unit (" + unit_examples(entry.unit) +
+         ")";
+}
+
+std::vector<std::string> example_units(Unit unit) {
+  std::vector<std::string> result(1);
+  for (const char c : unit_examples(unit)) {
+    if (c == ',') {
+      result.emplace_back();
+    } else if (c != ' ' || !result.back().empty()) {
+      result.back() += c;
+    }
+  }
+  return result;
+}
+
+/// What to do about a quantity of the wrong dimension.
+std::string dimension_repair(const Entry& entry, const Quantity& quantity) {
+  const Dimension weight_density{-2, 1, -2, 0};
+  if (entry.unit == Unit::density && quantity.dimension == weight_density) {
+    const double density = std::round(quantity.value / 9.81 * 10) / 10;
+    return "this is a weight per volume; divide it by g = 9.81 m/s^2: \"" + toml_number(density) +
+           " kg/m^3\"";
+  }
+  const std::string symbol = unit_symbol(entry.unit);
+  if (symbol.empty()) return "write the number without a unit";
+  return "write it in " + symbol;
+}
+
+}  // namespace
+
+bool SchemaReader::in_range(const Entry& entry, double x, const Value& value,
+                            const std::string& path, bool has_unit) {
+  const bool low = entry.lower && (entry.lower_open ? x <= *entry.lower : x < *entry.lower);
+  const bool high = entry.upper && (entry.upper_open ? x >= *entry.upper : x > *entry.upper);
+  if (!low && !high) return true;
+  std::string repair;
+  if (entry.unit == Unit::angle && !has_unit) {
+    repair = "a bare number is in radians; for degrees write \"" + to_toml(value) + " deg\"";
+    if (value.is(Value::Kind::text)) repair = "a bare number is in radians; add \"deg\"";
+  }
+  report(value, path, low ? "is too small" : "is too large", range_text(entry), repair);
+  return false;
+}
+
+bool SchemaReader::number(const Entry& entry, const Value& value, const std::string& path,
+                          double& result) {
+  bool has_unit = false;
+  double x = 0;
+  if (value.is_number()) {
+    x = value.number();
+  } else if (value.is(Value::Kind::text)) {
+    const auto quantity = parse_quantity(value.text);
+    if (!quantity) {
+      report(value, path, "is not a number with a unit", number_form(entry));
+      return false;
+    }
+    if (!quantity->unknown_unit.empty()) {
+      const std::string near = did_you_mean(quantity->unknown_unit, example_units(entry.unit));
+      report(value, path, "has the unknown unit \"" + quantity->unknown_unit + "\"",
+             unit_examples(entry.unit), near.empty() ? "" : "did you mean \"" + near + "\"?");
+      return false;
+    }
+    has_unit = quantity->has_unit;
+    if (has_unit && quantity->dimension != dimension_of(entry.unit)) {
+      const std::string quantity_name = unit_quantity(entry.unit);
+      report(value, path, "has a unit that is not of a " + quantity_name, unit_examples(entry.unit),
+             dimension_repair(entry, *quantity));
+      return false;
+    }
+    x = quantity->value;
+  } else {
+    report(value, path, "is " + kind_name(value.kind) + ", must be a number", number_form(entry));
+    return false;
+  }
+  if (!std::isfinite(x)) {
+    report(value, path, "is not finite", range_text(entry), "write a finite number");
+    return false;
+  }
+  if (!in_range(entry, x, value, path, has_unit)) return false;
+  result = x;
+  return true;
+}
+
+bool SchemaReader::integer(const Entry& entry, const Value& value, const std::string& path,
+                           int& result) {
+  if (!value.is(Value::Kind::integer)) {
+    report(value, path, "is " + kind_name(value.kind) + ", must be an integer", range_text(entry));
+    return false;
+  }
+  if (!in_range(entry, static_cast<double>(value.integer), value, path, false)) return false;
+  if (value.integer > std::numeric_limits<int>::max() ||
+      value.integer < std::numeric_limits<int>::min()) {
+    report(value, path, "does not fit a 32-bit integer", range_text(entry));
+    return false;
+  }
+  result = static_cast<int>(value.integer);
+  return true;
+}
+
+bool SchemaReader::flag(const Value& value, const std::string& path, bool& result) {
+  if (!value.is(Value::Kind::boolean)) {
+    report(value, path, "is " + kind_name(value.kind) + ", must be a boolean", "true, false");
+    return false;
+  }
+  result = value.boolean;
+  return true;
+}
+
+bool SchemaReader::text(const Value& value, const std::string& path, std::string& result) {
+  if (!value.is(Value::Kind::text)) {
+    report(value, path, "is " + kind_name(value.kind) + ", must be a text", "",
+           "write it in quotes");
+    return false;
+  }
+  result = value.text;
+  return true;
+}
+
+bool SchemaReader::texts(const Value& value, const std::string& path,
+                         std::vector<std::string>& result) {
+  if (!value.is(Value::Kind::array)) {
+    report(value, path, "is " + kind_name(value.kind) + ", must be an array of texts", "",
+           "write [ \"...\" ]");
+    return false;
+  }
+  std::vector<std::string> read(value.items.size());
+  bool good = true;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const std::string item_path = path + "[" + std::to_string(i) + "]";
+    good = text(value.items[i], item_path, read[i]) && good;
+  }
+  if (good) result = std::move(read);
+  return good;
+}
+
+int SchemaReader::choice(const Entry& entry, const Value& value, const std::string& path) {
+  if (!value.is(Value::Kind::text)) {
+    report(value, path, "is " + kind_name(value.kind) + ", must be one of the names",
+           join(entry.choices));
+    return -1;
+  }
+  for (std::size_t i = 0; i < entry.choices.size(); ++i) {
+    if (entry.choices[i] == value.text) return static_cast<int>(i);
+  }
+  for (const std::string& name : entry.later) {
+    if (name != value.text) continue;
+    report(value, path, "not available in this version", join(entry.choices));
+    return -1;
+  }
+  const std::string near = did_you_mean(value.text, entry.choices);
+  report(value, path, "unknown name", join(entry.choices),
+         near.empty() ? "" : "did you mean \"" + near + "\"?");
+  return -1;
+}
+
+bool SchemaReader::vector(const Entry& entry, const Value& value, const std::string& path,
+                          double* result) {
+  const int length = entry.length == 0 ? context_.dimension : entry.length;
+  const std::string wanted = std::to_string(length);
+  if (!value.is(Value::Kind::array)) {
+    report(value, path, "is " + kind_name(value.kind) + ", must be an array", wanted + " numbers");
+    return false;
+  }
+  if (static_cast<int>(value.items.size()) != length) {
+    const bool by_dimension = entry.length == 0;
+    report(value, path, "has " + std::to_string(value.items.size()) + " entries",
+           wanted + (by_dimension ? " (domain.dimension)" : ""),
+           by_dimension && length == 2 && value.items.size() == 3
+               ? "remove the third entry, or set domain.dimension = 3"
+               : "give " + wanted + " entries");
+    return false;
+  }
+  double read[3] = {0, 0, 0};
+  bool good = true;
+  for (int i = 0; i < length; ++i) {
+    const auto& item = value.items[static_cast<std::size_t>(i)];
+    good = number(entry, item, path + "[" + std::to_string(i) + "]", read[i]) && good;
+  }
+  if (!good) return false;
+  for (int i = 0; i < 3; ++i) result[i] = read[i];
+  return true;
+}
+
+bool SchemaReader::formula(const Entry& entry, const Value& value, const std::string& path,
+                           Formula& result) {
+  const bool expression = value.is(Value::Kind::text) && !parse_quantity(value.text);
+  if (!expression) {
+    double x = 0;
+    if (!number(entry, value, path, x)) return false;
+    result.text = toml_number(x);
+    return true;
+  }
+  if (context_.formula_fault) {
+    if (const auto fault = context_.formula_fault(value.text, entry.variables)) {
+      const std::string known = entry.variables.empty() ? "" : join(entry.variables) + ", ";
+      report(value, path, *fault, "an expression of " + known + "pi");
+      return false;
+    }
+  }
+  result.text = value.text;
+  return true;
+}
+
+bool SchemaReader::formulas(const Entry& entry, const Value& value, const std::string& path,
+                            Formula* result) {
+  const int length = entry.length == 0 ? context_.dimension : entry.length;
+  if (!value.is(Value::Kind::array) || static_cast<int>(value.items.size()) != length) {
+    const std::string found = value.is(Value::Kind::array)
+                                  ? "has " + std::to_string(value.items.size()) + " entries"
+                                  : "is " + kind_name(value.kind) + ", must be an array";
+    report(value, path, found,
+           std::to_string(length) + " numbers or expressions (domain.dimension)",
+           length == 2 ? "remove the third entry, or set domain.dimension = 3" : "");
+    return false;
+  }
+  bool good = true;
+  for (int i = 0; i < length; ++i) {
+    const auto& item = value.items[static_cast<std::size_t>(i)];
+    good = formula(entry, item, path + "[" + std::to_string(i) + "]", result[i]) && good;
+  }
+  return good;
+}
+
+bool SchemaReader::points(const Entry& entry, const Value& value, const std::string& path,
+                          std::vector<std::array<double, 2>>& result) {
+  if (!value.is(Value::Kind::array) || value.items.size() < 3) {
+    report(value, path, "must be an array of at least three points", "[[x, y], [x, y], [x, y]]");
+    return false;
+  }
+  bool good = true;
+  std::vector<std::array<double, 2>> read;
+  Entry pair = entry;
+  pair.length = 2;
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    double point[3] = {0, 0, 0};
+    good = vector(pair, value.items[i], path + "[" + std::to_string(i) + "]", point) && good;
+    read.push_back({point[0], point[1]});
+  }
+  if (good) result = std::move(read);
+  return good;
+}
+
+}  // namespace scree
