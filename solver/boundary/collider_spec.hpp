@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver/base/schema.hpp"
 #include "solver/boundary/contact_type.hpp"
 #include "solver/particles/shape_spec.hpp"
 
@@ -30,9 +31,12 @@ struct ContactSpec {
 /// `[collider.NAME]`: a rigid body with a prescribed translation.
 struct ColliderSpec {
   std::string name;
-  ShapeSpec shape;  ///< any kind, plane included; as it lies at t = 0
-  std::array<std::string, 3> velocity{"0", "0", "0"};  ///< m/s; expressions of t
+  ShapeSpec shape;                  ///< any kind, plane included; as it lies at t = 0
+  std::array<Formula, 3> velocity;  ///< m/s; expressions of t; not given: at rest
   ContactSpec contact;
 };
+
+const Schema<ContactSpec>& contact_schema();
+const Schema<ColliderSpec>& collider_schema();
 
 }  // namespace scree

@@ -7,6 +7,9 @@
 
 namespace scree {
 
+template <class S>
+class Schema;
+
 /// What a face of the domain does to the material that meets it.
 enum class FaceType { sticky, slip, separate, friction, open, periodic, symmetry };
 
@@ -25,11 +28,19 @@ struct FaceSpec {
   double coefficient = 0;  ///< Coulomb's mu >= 0; required with friction, not allowed otherwise
 };
 
-/// `[boundary]`: indices 0..5 are x_min, x_max, y_min, y_max, z_min, z_max; a periodic face needs
+/// `[boundary]`: the six faces of the domain; in 2D the z faces are not used. A periodic face needs
 /// its opposite face periodic too.
-inline const std::vector<std::string>& face_names() {
-  static const std::vector<std::string> names{"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
-  return names;
-}
+struct BoundarySpec {
+  FaceSpec x_min, x_max, y_min, y_max, z_min, z_max;
+
+  /// The face below (side 0) or above (side 1) the domain in `axis`.
+  const FaceSpec& face(int axis, int side) const {
+    const FaceSpec* const faces[3][2] = {{&x_min, &x_max}, {&y_min, &y_max}, {&z_min, &z_max}};
+    return *faces[axis][side];
+  }
+};
+
+const Schema<FaceSpec>& face_schema();
+const Schema<BoundarySpec>& boundary_schema();
 
 }  // namespace scree

@@ -8,6 +8,9 @@
 
 namespace scree {
 
+template <class S>
+class Schema;
+
 /// The kinds of shape a deck can name. `plane` is the half space behind a plane: a collider or a
 /// part of a combination, never a body of its own.
 enum class ShapeKind {
@@ -51,7 +54,7 @@ struct ShapeSpec {
   /// polygon: at least three corners in the x-y plane, either sense of rotation, not
   /// self-intersecting; the last is joined to the first.
   std::vector<std::array<double, 2>> points;
-  std::array<double, 2> z{};  ///< polygon in 3D: extrusion from z[0] to z[1], z[0] < z[1]
+  std::array<double, 3> z{};  ///< polygon in 3D: extrusion from z[0] to z[1], z[0] < z[1]
 
   std::array<double, 3> point{};   ///< plane: any point of it
   std::array<double, 3> normal{};  ///< plane: out of the solid side, any length > 0
@@ -59,5 +62,8 @@ struct ShapeSpec {
   /// union, intersection: two or more shapes; difference: the first less all the others.
   std::vector<ShapeSpec> of;
 };
+
+/// The keys of a shape; combinations nest in themselves.
+const Schema<ShapeSpec>& shape_schema();
 
 }  // namespace scree
