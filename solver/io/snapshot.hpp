@@ -37,8 +37,8 @@ struct GridSnapshot {
   double time = 0;
   std::int64_t step = 0;
   std::string lattice;  ///< "minus" and "plus" (the compact kernel's two lattices) or "nodes"
-  double origin[3] = {0, 0, 0};    ///< m, position of node (0, 0, 0)
-  double spacing = 0;              ///< m
+  double origin[3] = {0, 0, 0};       ///< m, position of node (0, 0, 0)
+  double spacing = 0;                 ///< m
   std::int64_t nodes[3] = {0, 0, 1};  ///< nodes an axis; 1 along z in two dimensions
   std::vector<SnapshotField> fields;
 };
@@ -50,13 +50,13 @@ struct HistoryRow {
   double time = 0;  ///< s
   double dt = 0;    ///< s, of the step that ended at `time`; of the coming step at step 0
   std::int64_t particle_count = 0;
-  double mass = 0;                          ///< kg
-  double momentum[3] = {0, 0, 0};           ///< kg m/s
-  double angular_momentum[3] = {0, 0, 0};   ///< kg m^2/s, about the origin
-  double center[3] = {0, 0, 0};             ///< m, centre of mass
-  double kinetic_energy = 0;                ///< J
-  double elastic_energy = 0;                ///< J
-  double max_speed = 0;                     ///< m/s
+  double mass = 0;                         ///< kg
+  double momentum[3] = {0, 0, 0};          ///< kg m/s
+  double angular_momentum[3] = {0, 0, 0};  ///< kg m^2/s, about the origin
+  double center[3] = {0, 0, 0};            ///< m, centre of mass
+  double kinetic_energy = 0;               ///< J
+  double elastic_energy = 0;               ///< J
+  double max_speed = 0;                    ///< m/s
   /// force (N) and torque (N m) on each collider, in the deck's order
   std::vector<std::array<double, 6>> collider_force_torque;
 };

@@ -17,8 +17,7 @@ enum class ElementType : std::uint8_t { float64, float32, int64, int32, uint8 };
 
 template <class T>
 concept ArchiveElement = std::same_as<T, double> || std::same_as<T, float> ||
-                         std::same_as<T, std::int64_t> || std::same_as<T, std::int32_t> ||
-                         std::same_as<T, std::uint8_t>;
+    std::same_as<T, std::int64_t> || std::same_as<T, std::int32_t> || std::same_as<T, std::uint8_t>;
 
 template <ArchiveElement T>
 constexpr ElementType element_type() {
@@ -32,10 +31,13 @@ constexpr ElementType element_type() {
 constexpr std::size_t element_size(ElementType type) {
   switch (type) {
     case ElementType::float64:
-    case ElementType::int64: return 8;
+    case ElementType::int64:
+      return 8;
     case ElementType::float32:
-    case ElementType::int32: return 4;
-    case ElementType::uint8: return 1;
+    case ElementType::int32:
+      return 4;
+    case ElementType::uint8:
+      return 1;
   }
   return 0;
 }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "solver/io/file_descriptor.hpp"
+#include "solver/io/snapshot.hpp"
+
+namespace scree {
+
+/// The column names of history.csv, in order; each collider adds its force and torque.
+std::vector<std::string> history_columns(const std::vector<std::string>& collider_names);
+
+/// Writes history.csv. A row is handed to the system in one piece as soon as it is added, so a
+/// killed program leaves whole rows. Numbers have the digits that give the same double back.
+class HistoryWriter {
+ public:
+  /// Starts a new file with the header line. Throws RunFault.
+  static HistoryWriter create(const std::filesystem::path& path,
+                              const std::vector<std::string>& collider_names);
+
+  /// Goes on with an existing file after cutting off every row with a step beyond `last_step` and
+  /// anything after the last complete row. Throws RunFault if the file is missing or has other
+  /// columns.
+  static HistoryWriter resume(const std::filesystem::path& path,
+                              const std::vector<std::string>& collider_names,
+                              std::int64_t last_step);
+
+  /// Adds a row. On failure (disk full) cuts a half-written row off again and throws RunFault.
+  void add(const HistoryRow& row);
+
+  /// Puts the rows on the disk (fsync). Throws RunFault.
+  void sync();
+
+ private:
+  HistoryWriter(std::filesystem::path path, FileDescriptor file, std::size_t collider_count);
+  void append(const std::string& line);
+
+  std::filesystem::path path_;
+  FileDescriptor file_;
+  std::size_t collider_count_ = 0;
+};
+
+}  // namespace scree

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/io/output_spec.hpp"
+
+namespace scree {
+namespace {
+
+Schema<OutputSpec> make_output_schema() {
+  Schema<OutputSpec> s("output", "Frames of the particles and the grid, for ParaView.");
+  s.number("every", &OutputSpec::every, Unit::time)
+      .above(0)
+      .fallback_text("time.end")
+      .doc("Time between frames; the first frame is t = 0, the last time.end.");
+  s.choice("format", &OutputSpec::format, {{"vtu", FrameFormat::vtu}, {"none", FrameFormat::none}})
+      .later({"xdmf"})
+      .fallback(FrameFormat::vtu)
+      .doc("vtu: VTK unstructured grids with a .pvd series; none: no frames.");
+  s.choice("precision", &OutputSpec::precision,
+           {{"single", FramePrecision::single_}, {"double", FramePrecision::double_}})
+      .fallback(FramePrecision::single_)
+      .doc("Floating-point type in the frames.");
+  s.texts("fields", &OutputSpec::fields)
+      .fallback({"velocity", "stress"})
+      .doc(
+          "Particle fields besides id, material and body: velocity, stress, pressure, mass, "
+          "volume, displacement, and the history fields of the materials in use.");
+  s.flag("grid", &OutputSpec::grid).fallback(false).doc("Also writes the grid (.vti).");
+  return s;
+}
+
+Schema<HistorySpec> make_history_schema() {
+  Schema<HistorySpec> s("history", "Rows of history.csv: sums over all particles.");
+  s.number("every", &HistorySpec::every, Unit::time)
+      .above(0)
+      .fallback_text("output.every")
+      .doc("Time between rows.");
+  return s;
+}
+
+Schema<CheckpointSpec> make_checkpoint_schema() {
+  Schema<CheckpointSpec> s("checkpoint", "States from which a run can be resumed.");
+  s.number("every", &CheckpointSpec::every, Unit::time)
+      .above(0)
+      .fallback_text("none; a signal, --until and --max-steps still write one")
+      .doc("Time between checkpoints.");
+  return s;
+}
+
+}  // namespace
+
+const Schema<OutputSpec>& output_schema() {
+  static const Schema<OutputSpec> schema = make_output_schema();
+  return schema;
+}
+
+const Schema<HistorySpec>& history_schema() {
+  static const Schema<HistorySpec> schema = make_history_schema();
+  return schema;
+}
+
+const Schema<CheckpointSpec>& checkpoint_schema() {
+  static const Schema<CheckpointSpec> schema = make_checkpoint_schema();
+  return schema;
+}
+
+}  // namespace scree

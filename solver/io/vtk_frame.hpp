@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "solver/io/snapshot.hpp"
+
+namespace scree {
+
+/// Floating-point type of positions and fields in a frame.
+enum class FramePrecision { single_, double_ };
+
+/// Writes a VTK XML unstructured grid (.vtu): one vertex cell a particle, raw appended data,
+/// `TimeValue` [s] and `step` as field data, `id`, `material`, `body` and all fields as point
+/// data. Values too large for single precision become infinite. The file is written aside and
+/// renamed. Throws RunFault (disk full); nothing is left behind then.
+void write_particle_frame(const std::filesystem::path& path, const ParticleSnapshot& snapshot,
+                          FramePrecision precision);
+
+/// Writes one lattice as VTK XML image data (.vti), as above.
+void write_grid_frame(const std::filesystem::path& path, const GridSnapshot& snapshot,
+                      FramePrecision precision);
+
+}  // namespace scree
