@@ -103,7 +103,11 @@ bool SchemaReader::available(const Entry& entry, Scope& scope) {
     return false;
   }
   if (entry.tag.empty() || tag_matches(entry, scope.schema, scope.table)) return true;
-  if (value && tag_known(entry, scope.schema, scope.table)) {
+  const auto& entries = scope.schema.entries();
+  const bool twin = std::any_of(entries.begin(), entries.end(), [&](const auto& other) {
+    return other->key == entry.key && tag_matches(*other, scope.schema, scope.table);
+  });
+  if (value && !twin && tag_known(entry, scope.schema, scope.table)) {
     const Value* tag = scope.table.find(entry.tag);
     const std::string kind = tag ? to_toml(*tag) : scope.schema.find(entry.tag)->fallback_text;
     report(*value, child_path(scope.path, entry.key),
