@@ -3,12 +3,10 @@
 
 #include <filesystem>
 
+#include "solver/io/output_spec.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace scree {
-
-/// Floating-point type of positions and fields in a frame.
-enum class FramePrecision { single_, double_ };
 
 /// Writes a VTK XML unstructured grid (.vtu): one vertex cell a particle, raw appended data,
 /// `TimeValue` [s] and `step` as field data, `id`, `material`, `body` and all fields as point
