@@ -5,13 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "solver/boundary/face_type.hpp"
+
 namespace scree {
 
 template <class S>
 class Schema;
-
-/// What a face of the domain does to the material that meets it.
-enum class FaceType { sticky, slip, separate, friction, open, periodic, symmetry };
 
 /// The deck names of the face types.
 inline const std::vector<std::pair<std::string, FaceType>>& face_type_names() {

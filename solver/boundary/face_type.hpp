@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace scree {
+
+/// What a face of the domain does to the material that meets it.
+enum class FaceType {
+  sticky,    ///< held: no velocity
+  slip,      ///< no normal velocity, no friction, tension allowed
+  separate,  ///< no penetration, no tension, no friction
+  friction,  ///< no penetration, no tension, Coulomb friction
+  open,      ///< particles leave and are removed
+  periodic,  ///< what leaves here enters at the opposite face
+  symmetry,  ///< the mirror plane of a symmetric problem; acts as slip
+};
+
+}  // namespace scree
