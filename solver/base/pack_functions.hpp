@@ -7,6 +7,14 @@
 
 namespace scree {
 
+#ifdef SCREE_AVX512
+namespace detail {
+// The forms with a full mask compile to the plain instructions; the plain intrinsics of GCC 12 pass
+// an uninitialised operand, which -Wmaybe-uninitialized reports.
+inline constexpr int every_lane = -1;
+}  // namespace detail
+#endif
+
 // ---- broadcast, memory, single lanes
 // ------------------------------------------------------------------------------------------
 
@@ -184,16 +192,20 @@ SCREE_FN Pack<T, W> max(Pack<T, W> a, std::type_identity_t<T> b) {
 
 #ifdef SCREE_AVX512
 SCREE_FN Pack<float, 16> min(Pack<float, 16> a, Pack<float, 16> b) {
-  return {Pack<float, 16>::Vector(_mm512_min_ps(__m512(a.v), __m512(b.v)))};
+  return {
+      Pack<float, 16>::Vector(_mm512_maskz_min_ps(detail::every_lane, __m512(a.v), __m512(b.v)))};
 }
 SCREE_FN Pack<double, 8> min(Pack<double, 8> a, Pack<double, 8> b) {
-  return {Pack<double, 8>::Vector(_mm512_min_pd(__m512d(a.v), __m512d(b.v)))};
+  return {
+      Pack<double, 8>::Vector(_mm512_maskz_min_pd(detail::every_lane, __m512d(a.v), __m512d(b.v)))};
 }
 SCREE_FN Pack<float, 16> max(Pack<float, 16> a, Pack<float, 16> b) {
-  return {Pack<float, 16>::Vector(_mm512_max_ps(__m512(a.v), __m512(b.v)))};
+  return {
+      Pack<float, 16>::Vector(_mm512_maskz_max_ps(detail::every_lane, __m512(a.v), __m512(b.v)))};
 }
 SCREE_FN Pack<double, 8> max(Pack<double, 8> a, Pack<double, 8> b) {
-  return {Pack<double, 8>::Vector(_mm512_max_pd(__m512d(a.v), __m512d(b.v)))};
+  return {
+      Pack<double, 8>::Vector(_mm512_maskz_max_pd(detail::every_lane, __m512d(a.v), __m512d(b.v)))};
 }
 #endif
 
@@ -211,9 +223,11 @@ SCREE_FN Pack<T, W> floor(Pack<T, W> a) {
 #ifdef SCREE_AVX512
   constexpr int down = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
   if constexpr (std::is_same_v<T, float> && W == 16) {
-    return {typename Pack<T, W>::Vector(_mm512_roundscale_ps(__m512(a.v), down))};
+    return {typename Pack<T, W>::Vector(
+        _mm512_maskz_roundscale_ps(detail::every_lane, __m512(a.v), down))};
   } else if constexpr (std::is_same_v<T, double> && W == 8) {
-    return {typename Pack<T, W>::Vector(_mm512_roundscale_pd(__m512d(a.v), down))};
+    return {typename Pack<T, W>::Vector(
+        _mm512_maskz_roundscale_pd(detail::every_lane, __m512d(a.v), down))};
   } else
 #endif
   {
@@ -227,9 +241,9 @@ template <class T, int W>
 SCREE_FN Pack<T, W> sqrt(Pack<T, W> a) {
 #ifdef SCREE_AVX512
   if constexpr (std::is_same_v<T, float> && W == 16) {
-    return {typename Pack<T, W>::Vector(_mm512_sqrt_ps(__m512(a.v)))};
+    return {typename Pack<T, W>::Vector(_mm512_maskz_sqrt_ps(detail::every_lane, __m512(a.v)))};
   } else if constexpr (std::is_same_v<T, double> && W == 8) {
-    return {typename Pack<T, W>::Vector(_mm512_sqrt_pd(__m512d(a.v)))};
+    return {typename Pack<T, W>::Vector(_mm512_maskz_sqrt_pd(detail::every_lane, __m512d(a.v)))};
   } else
 #endif
   {
@@ -259,6 +273,17 @@ SCREE_FN Pack<T, W> fma(Pack<T, W> a, Pack<T, W> b, Pack<T, W> c) {
     SCREE_UNROLL for (int i = 0; i < W; ++i) a.v[i] = fma(T(a.v[i]), T(b.v[i]), T(c.v[i]));
     return a;
   }
+}
+
+/// a b + c, fused where the machine can do so in one instruction (fma would call a slow library
+/// function elsewhere). The same choice for scalars and lanes.
+template <class V>
+SCREE_FN V mul_add(V a, V b, V c) {
+#if defined(__FMA__) || defined(__CUDA_ARCH__)
+  return fma(a, b, c);
+#else
+  return a * b + c;
+#endif
 }
 
 /// Conversion to integers, towards zero; the value must fit.

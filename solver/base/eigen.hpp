@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+/// \file
+/// Eigenvalues and eigenvectors of a symmetric 3x3 tensor.
+#pragma once
+
+#include "solver/base/tensor.hpp"
+
+namespace scree {
+
+/// A = vectors diag(values) vectors^T. The columns of `vectors` are orthonormal, det = +1. Values
+/// are not sorted.
+template <class V>
+struct SymEigen {
+  Vec3<V> values;
+  Mat3<V> vectors;
+};
+
+namespace detail {
+
+/// Cosine and sine of the rotation that makes [[p, b], [b, q]] diagonal, and t = s/c; the smaller
+/// of the two angles, |t| <= 1. `tiny` keeps the diagonal case 0/0 finite.
+template <class V>
+struct JacobiRotation {
+  V c, s, t;
+};
+
+template <class V>
+SCREE_FN JacobiRotation<V> jacobi_rotation(V p, V q, V b) {
+  using T = Scalar<V>;
+  constexpr T tiny = sizeof(T) == 4 ? T(1e-36) : T(1e-290);
+  const V d = q - p;
+  const V twice = b + b;
+  const V h = sqrt(mul_add(d, d, mul_add(twice, twice, broadcast<V>(tiny))));
+  const V t = twice / select(d < T(0), d - h, d + h);
+  const V c = rsqrt(mul_add(t, t, broadcast<V>(1)));
+  return {c, t * c, t};
+}
+
+/// One rotation in the plane (P, Q); R is the third axis.
+template <int P, int Q, class V>
+SCREE_FN void jacobi_step(Mat3<V>& a, Mat3<V>& u) {
+  constexpr int R = 3 - P - Q;
+  const auto [c, s, t] = jacobi_rotation(a(P, P), a(Q, Q), a(P, Q));
+  const V shift = t * a(P, Q);
+  a(P, P) = a(P, P) - shift;
+  a(Q, Q) = a(Q, Q) + shift;
+  a(P, Q) = broadcast<V>(0);
+  // Only the upper triangle is kept: the entry between axis R and axis P (or Q).
+  V& pr = P < R ? a(P, R) : a(R, P);
+  V& qr = Q < R ? a(Q, R) : a(R, Q);
+  const V x = c * pr - s * qr;
+  qr = s * pr + c * qr;
+  pr = x;
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    const V y = c * u(i, P) - s * u(i, Q);
+    u(i, Q) = s * u(i, P) + c * u(i, Q);
+    u(i, P) = y;
+  }
+}
+
+}  // namespace detail
+
+/// Cyclic Jacobi iteration (Golub and Van Loan, Matrix Computations, section 8.5) with a fixed
+/// number of sweeps, 4 (float) or 5 (double), hence no branch. Residual |A - U diag U^T| and
+/// values: a few units in the last place of |A|, also for repeated values. Entries between 1e-15
+/// and 1e17 (float), 1e-140 and 1e150 (double); smaller ones count as zero.
+template <class V>
+SCREE_FN SymEigen<V> eigen_symmetric(const Sym3<V>& tensor) {
+  constexpr int sweeps = sizeof(Scalar<V>) == 4 ? 4 : 5;
+  Mat3<V> a = to_mat(tensor);
+  Mat3<V> u = identity3<V>();
+  SCREE_UNROLL for (int sweep = 0; sweep < sweeps; ++sweep) {
+    detail::jacobi_step<0, 1>(a, u);
+    detail::jacobi_step<0, 2>(a, u);
+    detail::jacobi_step<1, 2>(a, u);
+  }
+  return {{{a(0, 0), a(1, 1), a(2, 2)}}, u};
+}
+
+}  // namespace scree
