@@ -27,40 +27,40 @@ Node Grid::mirrored(const Node& node, const Face& face) const {
   return image;
 }
 
+Vector Grid::reflection(const Face& face) {
+  if (face.rule == FaceRule::sticky) return -Vector::Ones();
+  Vector diagonal = Vector::Ones();
+  diagonal[face.axis] = -1;
+  return diagonal;
+}
+
 void Grid::fold(const Face& face) {
+  const Vector R = reflection(face);
   Nodes inside;
   for (const auto& [node, value] : nodes_) {
     const bool ghost = behind(node, face);
     GridNode& target = inside[ghost ? mirrored(node, face) : node];
-    Vector momentum = value.momentum, force = value.force;
-    if (ghost) {
-      momentum[face.axis] = -momentum[face.axis];
-      force[face.axis] = -force[face.axis];
-    }
     target.mass += value.mass;
-    target.momentum += momentum;
-    target.force += force;
+    target.momentum += ghost ? R.cwiseProduct(value.momentum) : value.momentum;
+    target.force += ghost ? R.cwiseProduct(value.force) : value.force;
   }
-  // A node on the plane receives its mirror image's equal mass and opposite normal momentum as
-  // well: v_n = 0 there, which update() sets; mass and tangential momentum both double, so the
-  // tangential velocity needs no change.
+  // A node on the plane is its own mirror: its image adds the same mass, which changes no velocity,
+  // and turns the normal part (sticky: all) of momentum and force around. update() zeroes it.
   nodes_ = std::move(inside);
 }
 
 void Grid::update(double dt, const Vector& gravity, const std::vector<Face>& faces) {
-  for (const Face& face : faces)
-    if (face.rule == FaceRule::mirror) fold(face);
+  for (auto& [node, value] : nodes_) value.force += value.mass * gravity;
+  for (const Face& face : faces) fold(face);
   for (auto& [node, value] : nodes_) {
     if (value.mass == 0) continue;
     value.velocity_before = value.momentum / value.mass;
-    value.velocity = value.velocity_before + dt * (value.force / value.mass + gravity);
+    value.velocity = value.velocity_before + dt * value.force / value.mass;
     for (const Face& face : faces) {
-      if (face.rule == FaceRule::sticky) {
-        if (on_plane(node, face) || behind(node, face)) value.velocity.setZero();
-      } else if (on_plane(node, face)) {
-        value.velocity[face.axis] = 0;
-        value.velocity_before[face.axis] = 0;
-      }
+      if (!on_plane(node, face)) continue;
+      const Vector keep = 0.5 * (Vector::Ones() + reflection(face));
+      value.velocity = value.velocity.cwiseProduct(keep);
+      value.velocity_before = value.velocity_before.cwiseProduct(keep);
     }
   }
 }
@@ -68,9 +68,9 @@ void Grid::update(double dt, const Vector& gravity, const std::vector<Face>& fac
 GridNode Grid::at(Node node, const std::vector<Face>& faces) const {
   Vector sign = Vector::Ones();
   for (const Face& face : faces)
-    if (face.rule == FaceRule::mirror && behind(node, face)) {
+    if (behind(node, face)) {
       node = mirrored(node, face);
-      sign[face.axis] = -sign[face.axis];
+      sign = sign.cwiseProduct(reflection(face));
     }
   const auto found = nodes_.find(node);
   if (found == nodes_.end()) return {};

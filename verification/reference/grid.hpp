@@ -21,8 +21,9 @@ struct GridNode {
 enum class FaceRule { sticky, mirror };
 
 /// A plane face normal to `axis`: the material is above the coordinate (lower face) or below it
-/// (upper face). mirror: exact symmetry, the coordinate [m] must be a multiple of half a cell.
-/// sticky: v = 0 on and behind the plane.
+/// (upper face). The coordinate [m] is a multiple of half a cell. A ghost node behind the plane
+/// moves with R times the velocity of its mirror node. mirror: R = diag(-1 normal, 1 tangential),
+/// exact symmetry. sticky: R = -I, so that the velocity vanishes on the plane.
 struct Face {
   int axis;
   bool upper;
@@ -39,9 +40,9 @@ class Grid {
   Nodes& nodes() { return nodes_; }
   const Nodes& nodes() const { return nodes_; }
 
-  /// Adds the ghosts behind mirror faces to their mirror nodes, the normal momentum and force with
-  /// changed sign, and removes them; then v = momentum/mass + dt (force/mass + gravity), and v_n =
-  /// 0 on the planes, v = 0 behind sticky faces.
+  /// Adds mass, R momentum and R force (weight included) of the ghosts behind faces to their mirror
+  /// nodes and removes the ghosts; then v = momentum/mass + dt force/mass, and the part of v that R
+  /// turns around is zero on the planes.
   void update(double dt, const Vector& gravity, const std::vector<Face>& faces);
 
   /// Velocities seen by a particle: those of a ghost are the mirrored ones. Zero where nothing was
@@ -54,6 +55,7 @@ class Grid {
   bool on_plane(const Node& node, const Face& face) const;
   Node mirrored(const Node& node, const Face& face) const;
   void fold(const Face& face);
+  static Vector reflection(const Face& face);
 
   double cell_size_;
   Nodes nodes_;

@@ -43,8 +43,8 @@ double kernel_slope(Kernel kernel, double x) {
     case Kernel::quadratic:
       if (a < 0.5) return -2 * x;
       return a < 1.5 ? -sign(x) * (1.5 - a) : 0.0;
-    case Kernel::linear:
-      return a < 1 ? -sign(x) : 0.0;
+    case Kernel::linear:  // the derivative from the right where it jumps
+      return x >= -1 && x < 1 ? -sign(x) : 0.0;
   }
   return 0.0;
 }
