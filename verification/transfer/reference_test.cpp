@@ -199,7 +199,7 @@ Solver thrown_ball(const Method& method, int dimension, double plane, bool twin)
 /// particles at an edge blow up sooner or later; the compact and quadratic kernels have no such
 /// limit.
 int twin_steps(const Method& method, int dimension) {
-  if (method.kernel == Kernel::linear) return 40;
+  if (method.kernel == Kernel::linear) return 20;
   return dimension == 2 ? 120 : 20;
 }
 
