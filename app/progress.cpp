@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+namespace scree {
+
+namespace {
+
+constexpr double bar_interval = 0.1;   // s of wall time between two drawings
+constexpr double line_interval = 60;   // s of wall time after which a line is written anyway
+constexpr double line_fraction = 0.1;  // of the simulated time between two lines
+constexpr double line_spacing = 1;     // s of wall time between two lines at least
+constexpr int bar_width = 24;
+
+std::string bar(double fraction) {
+  const int full = static_cast<int>(std::lround(fraction * bar_width));
+  return "[" + std::string(static_cast<std::size_t>(full), '#') +
+         std::string(static_cast<std::size_t>(bar_width - full), '.') + "]";
+}
+
+}  // namespace
+
+Progress::Progress(std::FILE* out, ProgressStyle style, double start, double end, Clock clock)
+    : out_(out), style_(style), start_(start), end_(end), clock_(std::move(clock)) {
+  started_ = last_written_ = clock_();
+  last_fraction_ = end_ > 0 ? start_ / end_ : 1;
+}
+
+bool Progress::due(double now, double fraction) const {
+  const double waited = now - last_written_;
+  if (style_ == ProgressStyle::bar) return waited >= bar_interval;
+  return waited >= line_interval ||
+         (waited >= line_spacing && fraction - last_fraction_ >= line_fraction);
+}
+
+std::string Progress::text(const ProgressState& state, double now) const {
+  const double wall = std::max(now - started_, 1e-9);
+  const double speed = (state.time - start_) / wall;  // simulated seconds a second
+  const double fraction = std::clamp(end_ > 0 ? state.time / end_ : 1.0, 0.0, 1.0);
+  const std::string left = speed > 0 ? clock_text((end_ - state.time) / speed) : "-";
+  return fmt::format(
+      "{:3.0f} %  t = {:.4g} / {:.4g} s  step {}  dt {:.2e} s  {:.2e} updates/s  ETA {}",
+      std::floor(100 * fraction), state.time, end_, state.step, state.dt, state.updates / wall,
+      left);
+}
+
+void Progress::write(const ProgressState& state, double now) {
+  const double fraction = std::clamp(end_ > 0 ? state.time / end_ : 1.0, 0.0, 1.0);
+  if (style_ == ProgressStyle::bar) {
+    // Back to the line's start, and clear what a longer text left.
+    fmt::print(out_, "\r{} {}\x1b[K", bar(fraction), text(state, now));
+  } else {
+    fmt::print(out_, "{}\n", text(state, now));
+  }
+  std::fflush(out_);
+  last_written_ = now;
+  last_fraction_ = fraction;
+}
+
+void Progress::update(const ProgressState& state) {
+  if (style_ == ProgressStyle::none) return;
+  const double now = clock_();
+  if (due(now, end_ > 0 ? state.time / end_ : 1)) write(state, now);
+}
+
+void Progress::finish(const ProgressState& state) {
+  if (style_ != ProgressStyle::bar) return;
+  write(state, clock_());
+  fmt::print(out_, "\n");
+  std::fflush(out_);
+}
+
+std::string clock_text(double seconds) {
+  if (!(seconds < 1e9)) return "-";
+  const auto total = static_cast<long>(std::lround(std::max(seconds, 0.0)));
+  const long hours = total / 3600;
+  if (hours == 0) return fmt::format("{}:{:02}", total / 60, total % 60);
+  return fmt::format("{}:{:02}:{:02}", hours, total / 60 % 60, total % 60);
+}
+
+ProgressStyle progress_style(std::FILE* out, bool quiet) {
+  if (quiet) return ProgressStyle::none;
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal && std::string_view(terminal) == "dumb";
+  return isatty(fileno(out)) && !dumb ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+}  // namespace scree

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <utility>
+
+#include "app/deck_changes.hpp"
+#include "solver/base/error.hpp"
+#include "solver/io/checkpoint.hpp"
+
+namespace scree {
+
+namespace {
+
+/// Adds the wall time of a scope to a sum.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+  ~Stopwatch() {
+    sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace
+
+Recorder::Recorder(const RunFolder& folder, OutputSpec output, bool checkpoints, Schedule schedule,
+                   RunIdentity identity)
+    : folder_(folder.path()),
+      history_path_(folder.history()),
+      checkpoint_path_(folder.checkpoint()),
+      output_(std::move(output)),
+      checkpoints_(checkpoints),
+      schedule_(std::move(schedule)),
+      identity_(std::move(identity)),
+      particles_(folder.path(), "particles", output_.precision),
+      grid_(folder.path(), "grid", output_.precision) {}
+
+void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names) {
+  history_ = HistoryWriter::create(history_path_, collider_names);
+  record(simulation);
+}
+
+void Recorder::resume(const Simulation& simulation, const StateReader& checkpoint,
+                      const std::vector<std::string>& collider_names) {
+  particles_.resume(checkpoint.get<double>("run/particle_frame_times"));
+  grid_.resume(checkpoint.get<double>("run/grid_frame_times"));
+  history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count());
+  saved_step_ = simulation.step_count();
+  saved_time_ = history_time_ = simulation.time();
+}
+
+void Recorder::record(const Simulation& simulation) {
+  const double time = simulation.time();
+  if (!schedule_.history_due(time) && !schedule_.frame_due(time) &&
+      !schedule_.checkpoint_due(time)) {
+    return;
+  }
+  const Stopwatch watch(seconds_);
+  write_due(simulation);
+}
+
+void Recorder::write_due(const Simulation& simulation) {
+  const double time = simulation.time();
+  if (schedule_.history_due(time)) {
+    history_->add(simulation.history());
+    history_time_ = time;
+  }
+  if (schedule_.frame_due(time)) write_frames(simulation);
+  if (schedule_.checkpoint_due(time)) write_checkpoint(simulation);
+}
+
+void Recorder::write_frames(const Simulation& simulation) {
+  if (output_.format == FrameFormat::none) return;
+  particles_.add(simulation.particles(output_.fields));
+  if (output_.grid) grid_.add(simulation.grid());
+}
+
+void Recorder::save(const Simulation& simulation) {
+  if (saved_step_ == simulation.step_count()) return;
+  const Stopwatch watch(seconds_);
+  write_checkpoint(simulation);
+}
+
+void Recorder::write_checkpoint(const Simulation& simulation) {
+  // Rows before the checkpoint are on the disk before it is: a continued run needs them.
+  history_->sync();
+  CheckpointWriter out(checkpoint_path_);
+  out.put_text("run/deck", identity_.deck);
+  out.put_text("run/backend", identity_.backend);
+  out.put_text("run/version", identity_.version);
+  out.put("run/particle_frame_times", particles_.times());
+  out.put("run/grid_frame_times", grid_.times());
+  simulation.save(out);
+  out.commit();
+  saved_step_ = simulation.step_count();
+  saved_time_ = simulation.time();
+}
+
+std::string Recorder::kept() const {
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+  if (!particles_.times().empty()) {
+    add(fmt::format("{} (t = {:.6g} s)", particles_.last_file(), particles_.times().back()));
+  }
+  if (history_time_) add(fmt::format("history.csv (to t = {:.6g} s)", *history_time_));
+  if (saved_time_) add(fmt::format("checkpoint.h5 (t = {:.6g} s)", *saved_time_));
+  return text.empty() ? "nothing" : text;
+}
+
+void check_identity(const StateReader& checkpoint, const RunIdentity& identity) {
+  const std::string backend = checkpoint.text("run/backend");
+  if (backend != identity.backend) {
+    throw UserError(fmt::format("the run was made with --backend {} and cannot continue with {}",
+                                backend, identity.backend));
+  }
+  const std::vector<std::string> changes =
+      forbidden_changes(checkpoint.text("run/deck"), identity.deck);
+  if (changes.empty()) return;
+  throw UserError(
+      fmt::format("the deck is not the one the checkpoint was made with: {}; restore it, or start "
+                  "anew with --overwrite",
+                  fmt::join(changes, ", ")));
+}
+
+}  // namespace scree
