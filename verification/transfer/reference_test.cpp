@@ -167,6 +167,8 @@ TEST(reference_transfer, free_fall_follows_the_discrete_formula) {
 /// own mirror image.
 Solver thrown_ball(const Method& method, int dimension, double plane, bool twin) {
   Settings settings = settings_of(method, dimension, 0.1);
+  // Pure flip lets rounding errors grow in modes that the grid cannot see.
+  settings.flip_blend = 0.95;
   if (!twin) settings.faces.push_back({0, false, plane, FaceRule::mirror});
   Solver solver(settings);
   static const auto jelly = fixed_corotated(1e5, 0.3);
@@ -199,7 +201,7 @@ Solver thrown_ball(const Method& method, int dimension, double plane, bool twin)
 /// particles at an edge blow up sooner or later; the compact and quadratic kernels have no such
 /// limit.
 int twin_steps(const Method& method, int dimension) {
-  if (method.kernel == Kernel::linear) return 20;
+  if (method.kernel == Kernel::linear) return 40;
   return dimension == 2 ? 120 : 20;
 }
 
@@ -218,7 +220,11 @@ TEST(reference_transfer, mirror_face_equals_a_mirror_twin) {
           error = std::max(error, (face.particles()[n].x - twin.particles()[2 * n].x).norm());
           pushed = std::max(pushed, face.particles()[n].v[0]);
         }
-        EXPECT_LT(error, 1e-12) << "plane " << plane << " dimension " << dimension;
+        // At the outermost node mass falls like f^3 and the gradient-form force like f^2, so the
+        // rounding of the weight 1 - |x| + sine, 1e-16, reaches the particle amplified where f is
+        // small; mls has no such term.
+        const double bound = method.transfer == Transfer::mls ? 1e-13 : 1e-10;
+        EXPECT_LT(error, bound) << "plane " << plane << " dimension " << dimension;
         EXPECT_GT(pushed, -0.9) << "the ball never felt the plane";
       }
 }
