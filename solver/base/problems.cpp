@@ -52,6 +52,15 @@ std::string to_string(const Problem& problem) {
   return text;
 }
 
+bool Problems::any_under(const std::string& key) const {
+  return std::any_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
+    const std::string& other = problem.key;
+    const bool starts = other.rfind(key, 0) == 0;
+    return starts &&
+           (other.size() == key.size() || other[key.size()] == '.' || other[key.size()] == '[');
+  });
+}
+
 std::vector<Problem> Problems::sorted() const {
   std::vector<Problem> result = problems_;
   // A deck's problems (line > 0) come before those of options.

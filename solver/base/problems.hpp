@@ -34,6 +34,8 @@ class Problems {
   void add(Problem problem) { problems_.push_back(std::move(problem)); }
   bool empty() const { return problems_.empty(); }
   std::size_t size() const { return problems_.size(); }
+  /// Whether a problem is about `key` or a key below it.
+  bool any_under(const std::string& key) const;
   /// In the order of their positions: the deck's first, then those of options.
   std::vector<Problem> sorted() const;
   /// One line a problem, sorted, without repetitions, each ended by a newline.

@@ -103,7 +103,9 @@ class SchemaReader {
   std::size_t problem_count() const { return problems_.size(); }
 
   /// Fills `spec` from a table (or the schema's shorthand); false if a problem was found.
-  bool read(const SchemaBase& schema, void* spec, const Value& table, const std::string& path);
+  /// Keys in `elsewhere` belong to another schema that reads the same table.
+  bool read(const SchemaBase& schema, void* spec, const Value& table, const std::string& path,
+            const std::vector<std::string>& elsewhere = {});
 
   void report(const Value& value, const std::string& path, std::string message,
               std::string allowed = {}, std::string repair = {});
@@ -131,6 +133,7 @@ class SchemaReader {
   bool read_entry(const Entry&, Scope&);
   bool available(const Entry&, Scope&);
   void report_missing(const Entry&, const Scope&);
+  void check_keys(const Scope&, const std::vector<std::string>& elsewhere);
   void run_checks(const SchemaBase&, const Scope&);
   bool in_range(const Entry&, double value, const Value&, const std::string& path, bool has_unit);
 
@@ -182,6 +185,10 @@ class Field {
   Field& in_dimension(int dimension) { return entry_->dimension = dimension, *this; }
   /// Number of entries of a vector where it is not domain.dimension.
   Field& length(int count) { return entry_->length = count, *this; }
+  /// The names that a text may be.
+  Field& one_of(std::vector<std::string> names) {
+    return entry_->choices = std::move(names), *this;
+  }
   /// Names that a later version will know: refused with a sentence that says so.
   Field& later(std::vector<std::string> names) { return entry_->later = std::move(names), *this; }
 
@@ -280,7 +287,7 @@ class Schema : public SchemaBase {
     });
   }
 
- private:
+ protected:
   /// An entry whose member is reached through `member`.
   template <class M>
   Entry& bind(std::string key, EntryKind kind, Unit unit, M S::*member) {

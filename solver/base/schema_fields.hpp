@@ -58,8 +58,9 @@ Field<bool> Schema<S>::flag(std::string key, bool S::*member) {
 template <class S>
 Field<std::string> Schema<S>::text(std::string key, std::string S::*member) {
   Entry& e = bind(std::move(key), EntryKind::text, Unit::none, member);
-  e.read = [](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
-    reader.text(value, path, *static_cast<std::string*>(m));
+  e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
+    const bool named = e.choices.empty() || reader.choice(e, value, path) >= 0;
+    if (named) reader.text(value, path, *static_cast<std::string*>(m));
   };
   e.write = [](const void* m, int) { return toml_string(*static_cast<const std::string*>(m)); };
   return Field<std::string>(e);

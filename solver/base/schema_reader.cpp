@@ -163,8 +163,17 @@ void SchemaReader::run_checks(const SchemaBase& schema, const Scope& scope) {
   }
 }
 
+void SchemaReader::check_keys(const Scope& scope, const std::vector<std::string>& elsewhere) {
+  std::vector<std::string> known = available_keys(scope.schema, scope.table, context_.dimension);
+  known.insert(known.begin(), elsewhere.begin(), elsewhere.end());
+  // Keys that belong to another kind have been reported by available(): they are not unknown.
+  Value strangers = scope.table;
+  std::erase_if(strangers.items, [&](const Value& item) { return scope.schema.find(item.key); });
+  unknown_keys(strangers, scope.path, known);
+}
+
 bool SchemaReader::read(const SchemaBase& schema, void* spec, const Value& value,
-                        const std::string& path) {
+                        const std::string& path, const std::vector<std::string>& elsewhere) {
   schema.reset(spec, context_);
   if (value.is(Value::Kind::text) && !schema.text_shorthand().empty()) {
     return read(schema, spec, expand_shorthand(value, schema.text_shorthand()), path);
@@ -180,16 +189,7 @@ bool SchemaReader::read(const SchemaBase& schema, void* spec, const Value& value
   const std::size_t before = problems_.size();
   Scope scope{schema, spec, value, path};
   for (const auto& entry : schema.entries()) read_entry(*entry, scope);
-  std::vector<std::string> known;
-  for (const auto& entry : schema.entries()) {
-    // Keys that belong to another kind are reported by available(), not as unknown.
-    if (value.find(entry->key)) known.push_back(entry->key);
-  }
-  const auto usable = available_keys(schema, value, context_.dimension);
-  for (const std::string& key : usable) {
-    if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
-  }
-  unknown_keys(value, path, known);
+  check_keys(scope, elsewhere);
   if (problems_.size() == before) run_checks(schema, scope);
   return problems_.size() == before;
 }

@@ -180,7 +180,7 @@ int SchemaReader::choice(const Entry& entry, const Value& value, const std::stri
   }
   for (const std::string& name : entry.later) {
     if (name != value.text) continue;
-    report(value, path, "not available in this version", join(entry.choices));
+    report(value, path, "not available in this version; available: " + join(entry.choices));
     return -1;
   }
   const std::string near = did_you_mean(value.text, entry.choices);

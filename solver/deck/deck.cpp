@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/deck/deck.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "materials/registry.hpp"
+#include "solver/deck/deck_checks.hpp"
+#include "solver/deck/document.hpp"
+#include "solver/deck/expression.hpp"
+
+namespace scree {
+namespace {
+
+/// What other tables need before they can be read: the dimension and the kernel.
+SchemaContext context_of(const Value& document) {
+  SchemaContext context;
+  context.formula_fault = &Expression::fault;
+  const Value* domain = document.find("domain");
+  const Value* dimension = domain ? domain->find("dimension") : nullptr;
+  const bool plane = dimension && dimension->is_number() && dimension->number() == 2;
+  context.dimension = plane ? 2 : 3;
+  const Value* method = document.find("method");
+  const Value* kernel = method ? method->find("kernel") : nullptr;
+  if (kernel && kernel->is(Value::Kind::text)) context.kernel = kernel->text;
+  return context;
+}
+
+/// Defaults that are values of other tables, and what follows from the input.
+void complete(Deck& deck) {
+  if (std::isnan(deck.output.every)) deck.output.every = deck.time.end;
+  if (std::isnan(deck.history.every)) deck.history.every = deck.output.every;
+  deck.domain.cells = {1, 1, 1};
+  for (int axis = 0; axis < deck.domain.dimension; ++axis) {
+    deck.domain.cells[static_cast<std::size_t>(axis)] =
+        static_cast<int>(cell_count(deck.domain, axis));
+  }
+}
+
+Deck interpret(std::optional<Value> document, const std::vector<std::string>& overrides,
+               Problems& problems) {
+  Deck deck;
+  if (!document) return deck;
+  for (const std::string& assignment : overrides) apply_override(*document, assignment, problems);
+  SchemaReader reader(context_of(*document), problems);
+  reader.read(deck_schema(), &deck, *document, "");
+  deck.given = reader.given();
+  check_deck(deck, *document, problems);
+  if (problems.empty()) complete(deck);
+  return deck;
+}
+
+}  // namespace
+
+const MaterialSpec* Deck::find_material(const std::string& material) const {
+  for (const MaterialSpec& spec : materials) {
+    if (spec.name == material) return &spec;
+  }
+  return nullptr;
+}
+
+Deck read_deck(const std::string& path, const std::vector<std::string>& overrides,
+               Problems& problems) {
+  Deck deck = interpret(read_document(path, problems), overrides, problems);
+  deck.path = path;
+  deck.name = std::filesystem::path(path).stem().string();
+  return deck;
+}
+
+Deck read_deck_text(const std::string& text, const std::string& source,
+                    const std::vector<std::string>& overrides, Problems& problems) {
+  Deck deck = interpret(parse_document(text, source, problems), overrides, problems);
+  deck.path = source;
+  deck.name = std::filesystem::path(source).stem().string();
+  return deck;
+}
+
+std::vector<std::string> citations(const Deck& deck) {
+  std::vector<std::string> result;
+  const auto add = [&](const std::string& publication) {
+    for (const std::string& known : result) {
+      if (known == publication) return;
+    }
+    result.push_back(publication);
+  };
+  if (deck.method.kernel == KernelType::compact) {
+    for (const std::string& publication : method_schema().citations()) add(publication);
+  }
+  for (const MaterialSpec& material : deck.materials) {
+    const MaterialEntry* model = find_material_model(material.model);
+    if (model == nullptr) continue;
+    for (const std::string& publication : model->schema->citations()) add(publication);
+  }
+  return result;
+}
+
+}  // namespace scree

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/deck/deck_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/registry.hpp"
+#include "solver/base/error.hpp"
+#include "solver/deck/expression.hpp"
+#include "solver/particles/sampling.hpp"
+#include "solver/particles/shape.hpp"
+
+namespace scree {
+namespace {
+
+template <class Specs>
+std::vector<std::string> names_of(const Specs& specs) {
+  std::vector<std::string> names;
+  for (const auto& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string point_text(const std::array<double, 3>& x, int dimension) {
+  std::string text;
+  for (int i = 0; i < dimension; ++i) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.9g", x[static_cast<std::size_t>(i)]);
+    text += (i == 0 ? "[" : ", ") + std::string(buffer);
+  }
+  return text + "]";
+}
+
+class Checker {
+ public:
+  Checker(const Deck& deck, const Value& document, Problems& problems)
+      : deck_(deck), document_(document), problems_(problems) {}
+
+  void run() {
+    check_presence();
+    check_names();
+    check_references();
+    check_step();
+    check_gravity();
+    check_fields();
+    for (const BodySpec& body : deck_.bodies) check_place(body);
+  }
+
+ private:
+  /// The value at a path of keys, or the innermost table there is.
+  const Value& at(const std::vector<std::string>& path) const {
+    const Value* value = &document_;
+    for (const std::string& key : path) {
+      const Value* next = value->find(key);
+      if (next == nullptr) break;
+      value = next;
+    }
+    return *value;
+  }
+
+  void report(const std::vector<std::string>& path, const std::string& message,
+              const std::string& allowed = {}, const std::string& repair = {}) {
+    const Value& value = at(path);
+    std::string key;
+    for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
+    const bool shown = !value.items.empty() || !value.is(Value::Kind::table);
+    std::string text = shown && &value != &document_ ? to_toml(value) : std::string();
+    if (text.size() > 70) text = text.substr(0, 67) + "...";
+    problems_.add({value.position, key, text, message, allowed, repair});
+  }
+
+  bool faulty(const std::string& key) const { return problems_.any_under(key); }
+
+  void check_presence() {
+    if (deck_.materials.empty() && !faulty("material")) {
+      report({"material"}, "has no material", "", "add [material.NAME]");
+    }
+    if (deck_.bodies.empty() && !faulty("body")) {
+      report({"body"}, "has no body", "", "add [body.NAME]");
+    }
+  }
+
+  void check_names() {
+    check_names("material", names_of(deck_.materials));
+    check_names("body", names_of(deck_.bodies));
+    check_names("traction", names_of(deck_.tractions));
+    check_names("collider", names_of(deck_.colliders));
+  }
+
+  /// Names become column names and labels.
+  void check_names(const std::string& table, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      if (!name.empty() && toml_key(name) == name) continue;
+      report({table, name}, "the name is not usable in tables", "letters, digits, _ and -",
+             "choose another name");
+    }
+  }
+
+  void check_reference(const std::vector<std::string>& path, const std::string& name,
+                       const std::string& table, const std::vector<std::string>& names) {
+    if (name.empty() || contains(names, name) || names.empty()) return;
+    const std::string near = did_you_mean(name, names);
+    report(path, "there is no [" + table + "." + name + "]", join(names),
+           near.empty() ? "add it, or name another" : "did you mean \"" + near + "\"?");
+  }
+
+  void check_references() {
+    for (const BodySpec& body : deck_.bodies) {
+      check_reference({"body", body.name, "material"}, body.material, "material",
+                      names_of(deck_.materials));
+    }
+    for (const TractionSpec& traction : deck_.tractions) {
+      check_reference({"traction", traction.name, "body"}, traction.body, "body",
+                      names_of(deck_.bodies));
+    }
+  }
+
+  void check_step() {
+    if (!deck_.time.step || !deck_.given.contains("time.cfl")) return;
+    report({"time", "step"}, "is given together with time.cfl, but either fixes the step", "",
+           "remove one of them");
+  }
+
+  void check_gravity() {
+    if (faulty("method.gravity")) return;
+    int axes = 0;
+    bool constant = true;
+    for (int i = 0; i < deck_.domain.dimension; ++i) {
+      const Formula& formula = deck_.method.gravity[static_cast<std::size_t>(i)];
+      if (!formula.given()) return;
+      const Expression expression(formula.text, {"t"});
+      const double start = 0, value = expression(&start);
+      if (!std::isfinite(value)) {
+        report({"method", "gravity"}, "\"" + formula.text + "\" is not finite at t = 0");
+        return;
+      }
+      constant = constant && expression.constant();
+      axes += value != 0 || !expression.constant() ? 1 : 0;
+    }
+    for (const BodySpec& body : deck_.bodies) {
+      const auto& stress = body.initial_stress;
+      if (!stress || stress->type != InitialStressType::geostatic) continue;
+      if (constant && axes == 1) continue;
+      report({"body", body.name, "initial_stress"},
+             "geostatic stress needs a constant method.gravity along one axis", "",
+             "set method.gravity, or use type = \"uniform\"");
+    }
+  }
+
+  std::vector<std::string> field_names() const {
+    std::vector<std::string> names{"velocity",     "stress", "pressure", "mass", "volume",
+                                   "displacement", "id",     "material", "body"};
+    for (const MaterialSpec& material : deck_.materials) {
+      const MaterialEntry* model = find_material_model(material.model);
+      if (model == nullptr) continue;
+      for (const StateField& field : model->fields) {
+        if (field.output && !contains(names, field.name)) names.push_back(field.name);
+      }
+    }
+    return names;
+  }
+
+  void check_fields() {
+    for (const MaterialSpec& material : deck_.materials) {
+      if (find_material_model(material.model) == nullptr) return;
+    }
+    if (faulty("output.fields") || deck_.materials.empty()) return;
+    const auto known = field_names();
+    const auto& fields = deck_.output.fields;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const bool again = std::find(fields.begin(), fields.begin() + static_cast<long>(i),
+                                   fields[i]) != fields.begin() + static_cast<long>(i);
+      const std::string near = did_you_mean(fields[i], known);
+      if (contains(known, fields[i]) && !again) continue;
+      report_field(i, again ? "is named twice" : "is no field of the materials in use",
+                   again ? "" : join(known),
+                   near.empty() || again ? "remove it" : "did you mean \"" + near + "\"?");
+    }
+  }
+
+  void report_field(std::size_t index, const std::string& message, const std::string& allowed,
+                    const std::string& repair) {
+    const Value& list = at({"output", "fields"});
+    const Value& item = index < list.items.size() ? list.items[index] : list;
+    problems_.add({item.position, "output.fields[" + std::to_string(index) + "]", to_toml(item),
+                   message, allowed, repair});
+  }
+
+  void check_place(const BodySpec& body) {
+    const std::string key = "body." + toml_key(body.name);
+    if (faulty("domain") || faulty(key + ".shape") || faulty(key + ".particles_per_direction")) {
+      return;
+    }
+    const int dimension = deck_.domain.dimension;
+    const auto shape = make_shape(body.shape, dimension);
+    const Box box = shape->bounds();
+    if (!box.bounded(dimension)) {
+      report({"body", body.name, "shape"}, "is unbounded", "",
+             "combine the plane with a bounded shape");
+      return;
+    }
+    if (outside(box)) {
+      report({"body", body.name, "shape"},
+             "reaches from " + point_text(box.lower, dimension) + " to " +
+                 point_text(box.upper, dimension) + " m, out of the domain",
+             point_text(deck_.domain.lower, dimension) + " to " +
+                 point_text(deck_.domain.upper, dimension) + " m",
+             "move or shrink the shape, or enlarge the domain");
+      return;
+    }
+    check_particles(body, *shape, box);
+  }
+
+  bool outside(const Box& box) const {
+    const double tolerance = 1e-6 * deck_.domain.cell_size;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(deck_.domain.dimension); ++i) {
+      if (box.lower[i] < deck_.domain.lower[i] - tolerance ||
+          box.upper[i] > deck_.domain.upper[i] + tolerance) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void check_particles(const BodySpec& body, const Shape& shape, const Box& box) {
+    // Large bodies are not sampled here: a shape of a million lattice sites that holds none of
+    // them would be strange, and the run samples it anyway.
+    constexpr double most_sites = 1e6;
+    const int dimension = deck_.domain.dimension;
+    const double spacing = deck_.domain.cell_size / body.particles_per_direction;
+    double sites = 1;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
+      sites *= (box.upper[i] - box.lower[i]) / spacing + 1;
+    }
+    if (sites > most_sites) return;
+    const auto particles = sample(shape, deck_.domain.lower, deck_.domain.cell_size,
+                                  body.particles_per_direction, dimension);
+    if (particles.count() > 0) return;
+    report({"body", body.name, "shape"}, "holds no particle", "",
+           "enlarge the shape, lower domain.cell_size (particles are cell_size / "
+           "particles_per_direction = " +
+               toml_number(spacing) + " m apart), or raise particles_per_direction");
+  }
+
+  const Deck& deck_;
+  const Value& document_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+void check_deck(const Deck& deck, const Value& document, Problems& problems) {
+  Checker(deck, document, problems).run();
+}
+
+}  // namespace scree
