@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/boundary/collider.hpp"
 
+#include <cmath>
+
+#include "solver/base/error.hpp"
 #include "solver/io/state_archive.hpp"
 
 namespace scree {
@@ -18,8 +21,13 @@ Collider::Collider(const ColliderSpec& spec, int dimension, double cell_size)
 
 void Collider::set_step(double t, double dt) {
   const double middle = t + 0.5 * dt;
-  for (std::size_t a = 0; a < speed_.size(); ++a)
-    velocity_[static_cast<int>(a)] = speed_[a](&middle);
+  for (std::size_t a = 0; a < speed_.size(); ++a) {
+    const double speed = speed_[a](&middle);
+    if (!std::isfinite(speed))
+      throw RunFault("collider." + name_ + ".velocity: " + speed_[a].text() +
+                     " is not finite at t = " + std::to_string(middle) + " s");
+    velocity_[static_cast<int>(a)] = speed;
+  }
 }
 
 void Collider::advance(double dt) { displacement_ = displacement_ + velocity_ * dt; }

@@ -30,6 +30,7 @@ class Collider {
 
   /// Takes the velocity at t + dt/2: the motion is then second order accurate, and a point of the
   /// material that sticks to the surface keeps with it exactly.
+  /// \throws RunFault if an expression gives no finite number.
   void set_step(double t, double dt);
   /// Moves by dt times the velocity.
   void advance(double dt);

@@ -101,9 +101,10 @@ SCREE_FN Vec3<T> plane_node(FaceType type, T mu, int axis, int outward, NodeMome
 /// move to the real node and the ghost is left with mass 0: its velocity is then
 /// mirror_velocity(v_real). If not, both keep what they have. (A ghost without mass may be treated
 /// either way: no particle sees it.)
-/// Returns the impulse on the wall, kg m/s. It is the momentum that the pair's material loses as
-/// long as no sticky wall has folded these nodes before; with one, the sum over all walls that meet
-/// is still (momentum before all folds) - (sum of m v after unfolding), for the caller to take.
+/// Returns the impulse on the wall, kg m/s: the momentum that the pair's material loses. Where
+/// walls meet, later folds change what the earlier ones left; there the impulse on all of them
+/// together is (momentum before all folds) - (sum of m v after unfolding), which is the caller's to
+/// take.
 template <class T, int D>
 SCREE_FN Vec3<T> fold_pair(FaceType type, T mu, int axis, int outward, NodeMomentum<T>& real,
                            NodeMomentum<T>& ghost) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "solver/base/tensor.hpp"
@@ -24,10 +25,14 @@ class Traction {
   /// \param t s; \param x present, \param start initial position, m
   /// \param area_vector, area see SurfacePatch
   /// \param F deformation gradient since t = 0 (the total one), used with a pressure only
+  /// \throws RunFault if an expression gives no finite number.
   Vec3<double> force(double t, const Vec3<double>& x, const Vec3<double>& start,
                      const Vec3<double>& area_vector, double area, const Mat3<double>& F) const;
 
  private:
+  double load(std::size_t i, const double values[7]) const;
+
+  std::string name_;
   bool follows_;
   std::vector<Expression> load_;  ///< the pressure, or `dimension` components of the value
 };
