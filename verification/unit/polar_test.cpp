@@ -35,7 +35,8 @@ class PolarTest : public ::testing::Test {
         const double error = (to_eigen(result) - exact_rotation(to_eigen(input))).norm();
         ASSERT_LE(error, tolerance * double(epsilon<T>)) << to_eigen(input);
         const double difference = (to_eigen(polar_rotation(input)) - to_eigen(result)).norm();
-        ASSERT_LE(difference, 2 * double(epsilon<T>)) << "lane " << i << " differs from the scalar";
+        ASSERT_LE(difference, tolerance * double(epsilon<T>))
+            << "lane " << i << " differs from the scalar";
       }
     }
   }
