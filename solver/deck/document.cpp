@@ -203,7 +203,10 @@ std::optional<Value> parse_document(const std::string& text, const std::string& 
   } catch (const toml::exception& error) {
     problems.add(syntax_problem(error.what(), name));
   } catch (const std::exception& error) {
-    problems.add({{name, 0, 0}, "", "", std::string("is no TOML: ") + error.what(), "", ""});
+    Problem problem;
+    problem.where.source = name;
+    problem.message = std::string("is no TOML: ") + error.what();
+    problems.add(problem);
   }
   return std::nullopt;
 }
