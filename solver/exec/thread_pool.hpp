@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace scree {
+
+/// A fixed team of threads that shares out index ranges.
+///
+/// Which thread runs an index is left to chance; callers must write results by index (or in an order
+/// fixed by colours), so that they do not depend on it.
+class ThreadPool {
+ public:
+  /// threads >= 1; 1 runs everything on the caller.
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
+
+  int size() const { return static_cast<int>(workers_.size()) + 1; }
+
+  /// Calls f(index, thread) for every index in [0, count); returns when all are done. The first
+  /// exception is rethrown here.
+  void for_each(std::int64_t count, const std::function<void(std::int64_t, int)>& f,
+                std::int64_t chunk = 1);
+
+ private:
+  void work(int thread);
+  void run_chunks(int thread);
+
+  std::vector<std::thread> workers_;
+  std::mutex mutex_;
+  std::condition_variable start_;
+  std::condition_variable done_;
+  std::uint64_t generation_ = 0;
+  int running_ = 0;
+  bool stop_ = false;
+  const std::function<void(std::int64_t, int)>* job_ = nullptr;
+  std::int64_t count_ = 0;
+  std::int64_t chunk_ = 1;
+  std::atomic<std::int64_t> next_{0};
+  std::exception_ptr failure_;
+};
+
+}  // namespace scree

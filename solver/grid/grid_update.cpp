@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/grid/grid_update.hpp"
+
+#include <cmath>
+
+#include "solver/boundary/contact.hpp"
+#include "solver/boundary/faces.hpp"
+
+namespace scree {
+namespace {
+
+template <int D, class T>
+NodeMomentum<T> read_node(const T* record) {
+  NodeMomentum<T> node{record[mass_slot], {}};
+  for (int a = 0; a < D; ++a) node.momentum[a] = record[a];
+  return node;
+}
+
+template <int D, class T>
+void write_node(T* record, const NodeMomentum<T>& node) {
+  for (int a = 0; a < D; ++a) record[a] = node.momentum[a];
+  record[mass_slot] = node.mass;
+}
+
+}  // namespace
+
+template <int D, class T>
+GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
+                             std::array<double, 3> lower, double cell_size)
+    : domain_(domain), faces_(faces), lower_(lower), cell_size_(cell_size) {}
+
+template <int D, class T>
+void GridUpdate<D, T>::rebuild(const Grid<D, T>& grid, ThreadPool&) {
+  pairs_ = find_face_pairs(grid, domain_);
+  for (int a = 0; a < D; ++a) folded_[a].assign(pairs_[a].size(), 0);
+}
+
+template <int D, class T>
+double GridUpdate<D, T>::apply(const Grid<D, T>& grid, AlignedVector<T>& channel_0,
+                               AlignedVector<T>& channel_1, const GridForces& forces,
+                               std::vector<Collider>& colliders, ThreadPool& pool) {
+  T* p = channel_0.data();
+  T* q = forces.separate_force ? channel_1.data() : nullptr;
+  const double mass = add_forces(grid, p, q, forces, pool);
+  fold(p, q, forces.separate_force);
+  to_velocity(grid, p, q, forces, colliders, pool);
+  unfold(p, q, forces.separate_force);
+  return mass;
+}
+
+/// Afterwards p holds the momentum with all impulses; with separate forces q holds that without.
+template <int D, class T>
+double GridUpdate<D, T>::add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
+                                    ThreadPool& pool) {
+  const int blocks = grid.topology().size();
+  const std::size_t records = grid.block_values() / node_values;
+  T kick[3] = {0, 0, 0};
+  for (int a = 0; a < D; ++a) kick[a] = T(forces.dt * forces.gravity[a]);
+  block_mass_.assign(std::size_t(blocks), 0.0);
+  pool.for_each(
+      blocks,
+      [&](std::int64_t b, int) {
+        double sum = 0;
+        for (std::size_t i = std::size_t(b) * records; i < std::size_t(b + 1) * records; ++i) {
+          T* node = p + i * node_values;
+          const T mass = node[mass_slot];
+          sum += mass;
+          for (int a = 0; a < D; ++a) {
+            const T before = node[a];
+            node[a] += mass * kick[a];
+            if (q == nullptr) continue;
+            node[a] += q[i * node_values + a];
+            q[i * node_values + a] = before;
+          }
+        }
+        block_mass_[std::size_t(b)] = sum;
+      },
+      8);
+  double total = 0;
+  for (const double sum : block_mass_) total += sum;
+  return total / grid.lattices();
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
+  for (int axis = 0; axis < D; ++axis) {
+    for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
+      const FacePair& pair = pairs_[axis][i];
+      const FaceType type = faces_.type[axis][pair.side];
+      const T friction = T(faces_.friction[axis][pair.side]);
+      const int outward = pair.side == 0 ? -1 : 1;
+      T* image = p + pair.image * node_values;
+      T* ghost = p + pair.ghost * node_values;
+      NodeMomentum<T> real = read_node<D>(image);
+      if (pair.ghost == pair.image) {
+        plane_node<T, D>(type, friction, axis, outward, real);
+        write_node<D>(image, real);
+        continue;
+      }
+      NodeMomentum<T> other = read_node<D>(ghost);
+      if (type == FaceType::periodic) {
+        for (int a = 0; a < D; ++a) real.momentum[a] += other.momentum[a];
+        real.mass += other.mass;
+        other = NodeMomentum<T>{};
+      } else {
+        fold_pair<T, D>(type, friction, axis, outward, real, other);
+      }
+      folded_[axis][i] = other.mass > 0 ? 0 : 1;
+      write_node<D>(image, real);
+      write_node<D>(ghost, other);
+      if (!separate || folded_[axis][i] == 0) continue;
+      // The momentum before forces follows, so that the velocity change is that of the pair.
+      Vec3<T> before{};
+      for (int a = 0; a < D; ++a) before[a] = q[pair.ghost * node_values + a];
+      if (type != FaceType::periodic) before = mirror_velocity<T, D>(type, axis, before);
+      for (int a = 0; a < D; ++a) {
+        q[pair.image * node_values + a] += before[a];
+        q[pair.ghost * node_values + a] = T(0);
+      }
+    }
+  }
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::unfold(T* p, T* q, bool separate) const {
+  for (int axis = D - 1; axis >= 0; --axis) {
+    for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
+      const FacePair& pair = pairs_[axis][i];
+      if (folded_[axis][i] == 0 || pair.ghost == pair.image) continue;
+      const FaceType type = faces_.type[axis][pair.side];
+      for (T* channel : {p, separate ? q : p}) {
+        Vec3<T> v{};
+        for (int a = 0; a < D; ++a) v[a] = channel[pair.image * node_values + a];
+        if (type != FaceType::periodic) v = mirror_velocity<T, D>(type, axis, v);
+        for (int a = 0; a < D; ++a) channel[pair.ghost * node_values + a] = v[a];
+      }
+    }
+  }
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::to_velocity(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
+                                   std::vector<Collider>& colliders, ThreadPool& pool) {
+  const int blocks = grid.topology().size();
+  block_reactions_.assign(std::size_t(blocks) * colliders.size(), Reaction{});
+  pool.for_each(
+      blocks, [&](std::int64_t b, int) { update_block(grid, b, p, q, forces, colliders); }, 8);
+  reactions_.assign(colliders.size(), Reaction{});
+  for (std::size_t i = 0; i < block_reactions_.size(); ++i) {
+    Reaction& sum = reactions_[i % colliders.size()];
+    for (int a = 0; a < 3; ++a) {
+      sum.force[a] += block_reactions_[i].force[a] / (grid.lattices() * forces.dt);
+      sum.torque[a] += block_reactions_[i].torque[a] / (grid.lattices() * forces.dt);
+    }
+  }
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
+                                    const GridForces& forces, std::vector<Collider>& colliders) {
+  const std::size_t records = grid.block_values() / node_values;
+  const T keep = forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
+  const T local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
+  for (std::size_t i = 0; i < records; ++i) {
+    const std::size_t at = (std::size_t(block) * records + i) * node_values;
+    const T mass = p[at + mass_slot];
+    T v[3] = {0, 0, 0};
+    T before[3] = {0, 0, 0};
+    if (mass > T(0)) {
+      for (int a = 0; a < D; ++a) {
+        T momentum = p[at + a];
+        if (q != nullptr) {
+          const T old = q[at + a];
+          // Cundall: a fraction of the out-of-balance force opposes the velocity.
+          const T damping = local * std::abs(momentum - old);
+          if (local > T(0)) momentum -= old > T(0) ? damping : old < T(0) ? -damping : T(0);
+          before[a] = old / mass;
+        }
+        v[a] = momentum / mass * keep;
+      }
+      if (!colliders.empty()) {
+        const int lattice = int(i) / block_node_count<D>;
+        const BlockCoord<D> node = grid.node(int(block), int(i) % block_node_count<D>);
+        std::array<double, 3> x = lower_;
+        for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
+        touch_colliders(x, mass, v, forces.dt, colliders,
+                        &block_reactions_[std::size_t(block) * colliders.size()]);
+      }
+    }
+    for (int a = 0; a < D; ++a) {
+      p[at + a] = v[a];
+      if (q != nullptr) q[at + a] = v[a] - before[a];
+    }
+  }
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T* v, double,
+                                       std::vector<Collider>& colliders, Reaction* reactions) const {
+  for (std::size_t c = 0; c < colliders.size(); ++c) {
+    const Collider& collider = colliders[c];
+    if (!collider.touches(x.data())) continue;
+    const Vec3<double> old{{double(v[0]), double(v[1]), double(v[2])}};
+    const Vec3<double> now = contact_velocity<double, D>(
+        collider.contact(), collider.coefficient(), old, collider.velocity(), collider.normal(x.data()));
+    Vec3<double> impulse{};
+    Vec3<double> arm{};
+    const Vec3<double> centre = collider.reference_point();
+    for (int a = 0; a < D; ++a) {
+      impulse[a] = double(mass) * (old[a] - now[a]);
+      v[a] = T(now[a]);
+    }
+    for (int a = 0; a < 3; ++a) arm[a] = x[a] - centre[a];
+    const Vec3<double> torque = cross(arm, impulse);
+    for (int a = 0; a < 3; ++a) {
+      reactions[c].force[a] += impulse[a];
+      reactions[c].torque[a] += torque[a];
+    }
+  }
+}
+
+template class GridUpdate<2, float>;
+template class GridUpdate<2, double>;
+template class GridUpdate<3, float>;
+template class GridUpdate<3, double>;
+
+}  // namespace scree

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solver/boundary/collider.hpp"
+#include "solver/exec/thread_pool.hpp"
+#include "solver/grid/face_pairs.hpp"
+#include "solver/simulation/method.hpp"
+
+namespace scree {
+
+/// What the grid equation of motion needs besides momenta.
+struct GridForces {
+  double dt = 0;                          ///< [s]
+  std::array<double, 3> gravity{};        ///< [m/s^2]
+  DampingType damping = DampingType::none;
+  double damping_value = 0;               ///< local: fraction; mass: 1/s
+  bool separate_force = false;            ///< channel 1 holds impulses, channel 0 momenta before forces
+};
+
+/// Force and torque (about its reference point) on a collider in a step.
+struct Reaction {
+  std::array<double, 3> force{};   ///< [N] (2D: N/m)
+  std::array<double, 3> torque{};  ///< [N m] (2D: N)
+};
+
+/// Turns the scattered momenta into velocities under gravity, damping, faces and colliders
+/// (numerics: v = (m v)/m + dt (f/m + g), then boundaries, on every lattice, each node at its true
+/// position).
+template <int D, class T>
+class GridUpdate {
+ public:
+  /// lower: the domain's lower corner [m]; cell_size [m].
+  GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces, std::array<double, 3> lower,
+             double cell_size);
+
+  /// Must be called when the grid's blocks have changed.
+  void rebuild(const Grid<D, T>& grid, ThreadPool& pool);
+
+  /// channel 0: momentum and mass in, velocity and mass out. channel 1 (separate_force): impulse in,
+  /// velocity change out. Returns the mean mass over the lattices [kg].
+  double apply(const Grid<D, T>& grid, AlignedVector<T>& channel_0, AlignedVector<T>& channel_1,
+               const GridForces& forces, std::vector<Collider>& colliders, ThreadPool& pool);
+
+  /// Reactions of the last apply(), one a collider.
+  const std::vector<Reaction>& reactions() const { return reactions_; }
+
+ private:
+  double add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces, ThreadPool& pool);
+  void fold(T* p, T* q, bool separate);
+  void unfold(T* p, T* q, bool separate) const;
+  void to_velocity(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
+                   std::vector<Collider>& colliders, ThreadPool& pool);
+  void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q, const GridForces& forces,
+                    std::vector<Collider>& colliders);
+  void touch_colliders(const std::array<double, 3>& x, T mass, T* v, double dt,
+                       std::vector<Collider>& colliders, Reaction* reactions) const;
+
+  GridDomain<D> domain_;
+  Faces<D> faces_;
+  std::array<double, 3> lower_;
+  double cell_size_;
+  FacePairs<D> pairs_;
+  std::array<std::vector<char>, D> folded_;  ///< per pair: the ghost follows its image
+  std::vector<double> block_mass_;
+  std::vector<Reaction> block_reactions_;
+  std::vector<Reaction> reactions_;
+};
+
+extern template class GridUpdate<2, float>;
+extern template class GridUpdate<2, double>;
+extern template class GridUpdate<3, float>;
+extern template class GridUpdate<3, double>;
+
+}  // namespace scree

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "solver/step/pass_data.hpp"
+
+namespace scree {
+
+/// A fault of one particle, for the user.
+struct ParticleFault {
+  FaultCode code = FaultCode::none;
+  std::int64_t step = 0;
+  std::int64_t id = 0;
+  std::string material;
+  double value = 0;
+  int dimension = 3;
+  std::array<double, 3> position{};  ///< [m]
+};
+
+/// One sentence: step, particle, place, what happened, what to do.
+std::string fault_text(const ParticleFault& fault);
+
+/// The grid does not hold the particles' mass.
+std::string mass_fault_text(std::int64_t step, double grid_mass, double particle_mass);
+
+}  // namespace scree

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace scree {
+
+/// One particle in double precision and SI units, for output.
+struct ParticleView {
+  std::int64_t id = 0;
+  std::array<double, 3> position{};   ///< [m]
+  std::array<double, 3> velocity{};   ///< [m/s]
+  double affine[3][3] = {};           ///< B [m^2/s]
+  std::array<double, 6> kirchhoff{};  ///< [Pa]: xx, xy, xz, yy, yz, zz
+  double volume_ratio = 1;            ///< total J
+  double energy_density = 0;          ///< [J/m^3] of reference volume
+  std::int32_t batch = 0;             ///< where its material state lies
+  int lane = 0;
+};
+
+}  // namespace scree

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <any>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/boundary/collider_spec.hpp"
+#include "solver/boundary/face_type.hpp"
+#include "solver/boundary/traction_spec.hpp"
+#include "solver/io/snapshot.hpp"
+#include "solver/io/state_archive.hpp"
+#include "solver/particles/surface.hpp"
+#include "solver/simulation/method.hpp"
+#include "solver/simulation/schedule.hpp"
+
+namespace scree {
+
+/// The particles of one body at t = 0 and their law.
+struct BodySetup {
+  std::string name;
+  std::string material;   ///< deck name
+  std::string model;      ///< name of the law
+  std::any input;         ///< the law's Input
+  double density = 0;     ///< [kg/m^3]
+  std::int32_t material_index = 0;
+  double particle_volume = 0;             ///< [m^3] (2D: m^2)
+  std::vector<double> position;           ///< 3 per particle [m]
+  std::vector<double> velocity;           ///< 3 per particle [m/s]; empty = at rest
+  std::vector<double> velocity_gradient;  ///< 9 per particle, dv_i/dx_j row-major [1/s]; empty = 0
+};
+
+/// A load on marked particles of one body.
+struct TractionSetup {
+  TractionSpec spec;
+  std::int32_t body = 0;
+  SurfacePatch patch;  ///< particle indices are those of the body's arrays
+};
+
+/// All that a simulation needs, checked and in SI units.
+struct SimulationSetup {
+  int dimension = 3;
+  Precision precision = Precision::double_;
+  std::array<double, 3> lower{};         ///< domain's lower corner [m]
+  std::array<std::int32_t, 3> cells{};   ///< cells an axis
+  double cell_size = 1;                  ///< [m]
+  KernelType kernel = KernelType::compact;
+  TransferType transfer = TransferType::mls;
+  PathType path = PathType::automatic;
+  double flip_blend = 1;
+  double cfl = 0.4;
+  std::optional<double> step;            ///< fixed step [s]; still shortened to hit events
+  std::function<std::array<double, 3>(double t)> gravity;  ///< [m/s^2]; empty = none
+  DampingType damping = DampingType::none;
+  double damping_value = 0;
+  /// Acceleration [m/s^2] at reference position X, position x, time t; empty = none. Takes the split
+  /// path.
+  std::function<std::array<double, 3>(const double* X, const double* x, double t)> body_force;
+  std::array<std::array<FaceType, 2>, 3> faces{};          ///< [axis][lower, upper]
+  std::array<std::array<double, 2>, 3> face_friction{};
+  std::vector<ColliderSpec> colliders;
+  std::vector<BodySetup> bodies;
+  std::vector<TractionSetup> tractions;
+  Schedule schedule;
+  bool keep_reference = true;  ///< keep X (needed for displacement, tractions and body forces)
+  bool record = true;          ///< false: no history or frames will be asked for (benchmarks)
+  int threads = 1;
+};
+
+/// Memory in use [bytes].
+struct MemoryReport {
+  std::int64_t particles = 0;
+  std::int64_t grid = 0;
+  std::int64_t other = 0;
+  std::int64_t total() const { return particles + grid + other; }
+};
+
+/// Wall-clock seconds spent in the phases of all steps so far.
+using PhaseTimes = std::vector<std::pair<std::string, double>>;
+
+/// A run in memory: owns particles and grid and advances them in time; no files.
+///
+/// Results are bitwise the same for any number of threads, and after save/load.
+class Simulation {
+ public:
+  /// Throws UserError for what the deck checks cannot know (a particle outside the domain, ...).
+  static std::unique_ptr<Simulation> create(SimulationSetup setup);
+  virtual ~Simulation() = default;
+
+  /// Advances by dt(). Throws RunFault; the state is then of no further use.
+  virtual void step() = 0;
+
+  virtual double time() const = 0;        ///< [s]
+  virtual double dt() const = 0;          ///< the coming step [s]
+  virtual double next_time() const = 0;   ///< time() after the coming step [s]
+  virtual std::int64_t step_count() const = 0;
+  virtual std::int64_t particle_count() const = 0;
+  virtual std::int64_t removed_count() const = 0;  ///< particles that left through open faces
+  virtual bool fused() const = 0;
+
+  // Valid when the schedule says that history or a frame is due at time().
+  virtual HistoryRow history() const = 0;
+  /// Named fields: velocity, stress, pressure, mass, volume, displacement and material history.
+  virtual ParticleSnapshot particles(const std::vector<std::string>& fields) const = 0;
+  /// The node velocities and masses of the last step, one snapshot a lattice.
+  virtual std::vector<GridSnapshot> grid() const = 0;
+
+  virtual void save(StateWriter& writer) const = 0;
+  /// Continues where save() was called, bit for bit; the setup must be the same.
+  virtual void load(const StateReader& reader) = 0;
+
+  virtual std::int64_t block_count() const = 0;  ///< active grid blocks
+  virtual MemoryReport memory() const = 0;
+  virtual PhaseTimes phases() const = 0;
+};
+
+}  // namespace scree

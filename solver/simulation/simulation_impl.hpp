@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "solver/boundary/collider.hpp"
+#include "solver/grid/grid.hpp"
+#include "solver/grid/grid_update.hpp"
+#include "solver/simulation/external_force.hpp"
+#include "solver/simulation/simulation.hpp"
+#include "solver/simulation/step_clock.hpp"
+#include "solver/step/body.hpp"
+
+namespace scree {
+
+/// A body with what the passes need besides its particles.
+template <int D, class T>
+struct BodyState {
+  std::unique_ptr<Body<D, T>> body;
+  std::vector<std::int32_t> grid_block;  ///< body block -> topology block
+  std::vector<std::int32_t> coords;      ///< D per body block
+  std::vector<BlockResult<T>> results;   ///< one per body block
+  std::array<std::vector<std::int32_t>, power(2, D)> colours;  ///< body blocks of one parity each
+  std::vector<std::int32_t> all_blocks;
+  std::int64_t first_id = 0;
+};
+
+enum class Phase { binning, grid, particles, stress, external, count };
+
+/// The simulation in D dimensions with reals T.
+template <int D, class T>
+class SimulationImpl final : public Simulation {
+ public:
+  explicit SimulationImpl(SimulationSetup setup);
+
+  void step() override;
+  double time() const override { return clock_.time; }
+  double dt() const override { return clock_.dt; }
+  double next_time() const override { return clock_.next_time; }
+  std::int64_t step_count() const override { return step_; }
+  std::int64_t particle_count() const override;
+  std::int64_t removed_count() const override { return removed_; }
+  bool fused() const override { return fused_; }
+  HistoryRow history() const override;
+  ParticleSnapshot particles(const std::vector<std::string>& fields) const override;
+  std::vector<GridSnapshot> grid() const override;
+  void save(StateWriter& writer) const override;
+  void load(const StateReader& reader) override;
+  std::int64_t block_count() const override { return grid_.topology().size(); }
+  MemoryReport memory() const override;
+  PhaseTimes phases() const override;
+
+ private:
+  using State = BodyState<D, T>;
+
+  // simulation_setup.cpp
+  GridDomain<D> make_domain() const;
+  Faces<D> make_faces() const;
+  AuxLayout make_layout() const;
+  void add_body(const BodySetup& setup, std::int32_t index);
+  void place_particles(const BodySetup& setup, State& state);
+  void first_step();
+
+  // simulation_step.cpp
+  void step_fused();
+  void step_split();
+  void bin_if_needed();
+  void refresh_blocks();
+  void update_grid();
+  void scatter_all(double dt);
+  void update_external();
+  void finish_step();
+  PassData<D, T> pass_data(State& state, double dt, double dt_next);
+  void check_faults() const;
+  void read_motion();
+  void read_signals();
+  double stable_dt() const;
+  [[noreturn]] void fail(const State& state, std::size_t block) const;
+  void check_mass(double grid_mass) const;
+  void time_phase(Phase phase, std::chrono::steady_clock::time_point start) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    seconds_[std::size_t(phase)] += spent.count();
+  }
+
+  // simulation_output.cpp
+  template <class F>
+  void visit_block(const State& state, std::size_t number, F&& f) const;
+  void require_record(const char* what) const;
+  std::array<double, 3> position_of(std::uint64_t key, const T* batch, int lane) const;
+  void fill_lattice(const GridSnapshot& snapshot, int lattice, std::vector<double>& mass,
+                    std::vector<double>& velocity) const;
+  /// The grid that holds the velocities of the last step.
+  const AlignedVector<T>& velocity_channel() const { return fused_ ? next_ : current_; }
+  void fill_field(ParticleSnapshot& out, const std::string& name) const;
+
+  SimulationSetup setup_;
+  bool fused_ = true;
+  bool separate_ = false;
+  AuxLayout layout_;
+  mutable Executor executor_;  ///< its threads also serve const sums
+  GridDomain<D> domain_;
+  Grid<D, T> grid_;
+  GridUpdate<D, T> grid_update_;
+  AlignedVector<T> current_;  ///< momenta, after update_grid() velocities
+  AlignedVector<T> next_;     ///< fused: the grid scattered to
+  AlignedVector<T> extra_;    ///< channel 1: impulses, then velocity changes
+  std::vector<State> bodies_;
+  std::vector<Collider> colliders_;
+  std::unique_ptr<ExternalForce> external_;
+  std::vector<double> reference_;  ///< X by particle id, 3 each [m]
+  StepClock clock_;
+  PlannedStep planned_{};
+  MotionBounds bounds_;
+  std::int64_t step_ = 0;
+  std::int64_t removed_ = 0;
+  std::int64_t pending_dead_ = 0;  ///< particles marked dead that the next binning drops
+  bool recorded_ = true;  ///< aux fields hold the state at time()
+  double scattered_mass_ = 0;
+  std::array<double, std::size_t(Phase::count)> seconds_{};
+};
+
+extern template class SimulationImpl<2, float>;
+extern template class SimulationImpl<2, double>;
+extern template class SimulationImpl<3, float>;
+extern template class SimulationImpl<3, double>;
+
+}  // namespace scree

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "solver/base/error.hpp"
+#include "solver/simulation/simulation_impl.hpp"
+#include "solver/transfer/compact.hpp"
+#include "solver/transfer/quadratic.hpp"
+
+namespace scree {
+namespace {
+
+int lattices_of(KernelType kernel) { return kernel == KernelType::compact ? 2 : 1; }
+
+bool can_fuse(const SimulationSetup& setup) {
+  return setup.transfer == TransferType::mls && setup.kernel != KernelType::linear &&
+         setup.damping != DampingType::local && !setup.body_force && setup.tractions.empty();
+}
+
+bool needs_separate_force(const SimulationSetup& setup) {
+  return setup.transfer == TransferType::flip || setup.damping == DampingType::local;
+}
+
+template <int D>
+BlockCoord<D> home_block(const std::array<double, 3>& cells, std::array<double, 3>& local) {
+  BlockCoord<D> block{};
+  for (int a = 0; a < D; ++a) {
+    block[a] = int(std::floor((cells[a] - home_begin) / block_cells));
+    local[a] = cells[a] - double(block_cells) * block[a];
+  }
+  return block;
+}
+
+template <class Kernel, int D>
+void times_moment_at(const double (&u)[D], const double (&m)[D][D], double (&out)[D][D]) {
+  Kernel::template times_moment<double, D>(Kernel::template at<double, D>(u), m, out);
+}
+
+/// B0 = grad v0 D(x0) for the transfers that carry an affine matrix, else 0: a particle whose affine
+/// matrix ignores its velocity field loses energy in the first step.
+template <int D>
+void initial_affine(KernelType kernel, TransferType transfer, const double (&u)[D],
+                    const double (&gradient)[D][D], double (&affine)[D][D]) {
+  const bool carries = transfer == TransferType::mls || transfer == TransferType::apic;
+  if (carries && kernel == KernelType::compact) return times_moment_at<Compact>(u, gradient, affine);
+  if (carries && kernel == KernelType::quadratic) {
+    return times_moment_at<Quadratic>(u, gradient, affine);
+  }
+  for (auto& row : affine) std::fill(row, row + D, 0.0);
+}
+
+}  // namespace
+
+std::unique_ptr<Simulation> Simulation::create(SimulationSetup setup) {
+  const bool flat = setup.dimension == 2;
+  if (setup.precision == Precision::double_) {
+    if (flat) return std::make_unique<SimulationImpl<2, double>>(std::move(setup));
+    return std::make_unique<SimulationImpl<3, double>>(std::move(setup));
+  }
+  if (flat) return std::make_unique<SimulationImpl<2, float>>(std::move(setup));
+  return std::make_unique<SimulationImpl<3, float>>(std::move(setup));
+}
+
+template <int D, class T>
+SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
+    : setup_(std::move(setup)),
+      fused_(setup_.path == PathType::automatic ? can_fuse(setup_) : setup_.path == PathType::fused),
+      separate_(needs_separate_force(setup_)),
+      layout_(make_layout()),
+      executor_(setup_.threads),
+      domain_(make_domain()),
+      grid_(lattices_of(setup_.kernel)),
+      grid_update_(domain_, make_faces(), setup_.lower, setup_.cell_size) {
+  if (fused_ && !can_fuse(setup_)) {
+    throw UserError("the fused path needs transfer mls with the compact or quadratic kernel, without "
+                    "local damping, tractions and body forces");
+  }
+  for (const ColliderSpec& spec : setup_.colliders) colliders_.emplace_back(spec, D, setup_.cell_size);
+  std::vector<std::int64_t> first_id;
+  std::vector<double> mass;
+  for (std::size_t b = 0; b < setup_.bodies.size(); ++b) {
+    add_body(setup_.bodies[b], std::int32_t(b));
+    first_id.push_back(bodies_.back().first_id);
+    mass.push_back(bodies_.back().body->info().particle_mass());
+  }
+  if (setup_.body_force || !setup_.tractions.empty()) {
+    external_ = std::make_unique<ExternalForce>(setup_.body_force, setup_.tractions, D, first_id, mass,
+                                                particle_count());
+    setup_.tractions.clear();
+  }
+  setup_.bodies.clear();
+  refresh_blocks();
+  first_step();
+}
+
+template <int D, class T>
+GridDomain<D> SimulationImpl<D, T>::make_domain() const {
+  GridDomain<D> domain;
+  domain.lattices = lattices_of(setup_.kernel);
+  for (int a = 0; a < D; ++a) {
+    domain.cells[a] = setup_.cells[a];
+    for (int side = 0; side < 2; ++side) {
+      const FaceType type = setup_.faces[a][side];
+      domain.faces[a][side] = type == FaceType::open       ? FaceKind::none
+                              : type == FaceType::periodic ? FaceKind::periodic
+                                                           : FaceKind::mirror;
+    }
+  }
+  return domain;
+}
+
+template <int D, class T>
+Faces<D> SimulationImpl<D, T>::make_faces() const {
+  Faces<D> faces;
+  for (int a = 0; a < D; ++a) {
+    faces.type[a] = setup_.faces[a];
+    faces.friction[a] = setup_.face_friction[a];
+  }
+  return faces;
+}
+
+template <int D, class T>
+AuxLayout SimulationImpl<D, T>::make_layout() const {
+  AuxLayout layout;
+  layout.velocity = 0;
+  layout.affine = D;
+  layout.stress = D + D * D;
+  layout.total = layout.stress + 6;
+  if (fused_) return layout;
+  layout.increment = layout.total;
+  layout.total += D * D;
+  if (setup_.body_force || !setup_.tractions.empty()) {
+    layout.external = layout.total;
+    layout.total += D;
+  }
+  return layout;
+}
+
+template <int D, class T>
+void SimulationImpl<D, T>::add_body(const BodySetup& setup, std::int32_t index) {
+  BodyInfo info;
+  info.name = setup.name;
+  info.material = setup.material;
+  info.model = setup.model;
+  info.body_index = index;
+  info.material_index = setup.material_index;
+  info.particle_volume = setup.particle_volume;
+  info.density = setup.density;
+  State state;
+  state.first_id = particle_count();
+  state.body = make_body<D, T>(info, setup.input);
+  state.body->store().resize_aux(layout_.total);
+  place_particles(setup, state);
+  bounds_.max_signal = std::max(bounds_.max_signal, state.body->initial_wave_speed());
+  if (setup_.keep_reference) {
+    reference_.insert(reference_.end(), setup.position.begin(), setup.position.end());
+  }
+  bodies_.push_back(std::move(state));
+}
+
+template <int D, class T>
+void SimulationImpl<D, T>::place_particles(const BodySetup& setup, State& state) {
+  ParticleStore<D, T>& store = state.body->store();
+  const std::size_t count = setup.position.size() / 3;
+  store.reserve(std::int64_t(count) + std::int64_t(count) / 16);
+  for (std::size_t p = 0; p < count; ++p) {
+    std::array<double, 3> cells{};
+    std::array<double, 3> local{};
+    for (int a = 0; a < D; ++a) {
+      cells[a] = (setup.position[3 * p + a] - setup_.lower[a]) / setup_.cell_size;
+    }
+    const std::uint64_t key = block_key<D>(home_block<D>(cells, local));
+    const std::int64_t slot = store.append(key, state.first_id + std::int64_t(p));
+    for (int a = 0; a < D; ++a) store.value(slot, a) = T(local[a]);
+    for (int a = 0; a < D; ++a) {
+      const double v = setup.velocity.empty() ? 0.0 : setup.velocity[3 * p + a];
+      store.aux_value(slot, layout_.velocity + a) = T(v);
+      bounds_.max_speed = std::max(bounds_.max_speed, std::abs(v));
+    }
+    if (setup.velocity_gradient.empty()) continue;
+    double gradient[D][D];
+    double affine[D][D];
+    double u[D];
+    for (int i = 0; i < D; ++i) {
+      u[i] = local[i];
+      for (int j = 0; j < D; ++j) {
+        gradient[i][j] = setup.velocity_gradient[9 * p + 3 * i + j] * setup_.cell_size;
+      }
+    }
+    initial_affine(setup_.kernel, setup_.transfer, u, gradient, affine);
+    for (int i = 0; i < D * D; ++i) {
+      store.aux_value(slot, layout_.affine + i) = T(affine[i / D][i % D]);
+    }
+  }
+  store.finish_blocks();
+}
+
+template class SimulationImpl<2, float>;
+template class SimulationImpl<2, double>;
+template class SimulationImpl<3, float>;
+template class SimulationImpl<3, double>;
+
+}  // namespace scree

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "solver/base/error.hpp"
+#include "solver/simulation/simulation_impl.hpp"
+
+namespace scree {
+namespace {
+
+template <int D, class T>
+void save_particles(StateWriter& writer, const std::string& name, const ParticleStore<D, T>& store) {
+  constexpr int width = ParticleStore<D, T>::width;
+  std::vector<std::int64_t> keys;
+  std::vector<std::int64_t> ids;
+  std::vector<std::int32_t> counts;
+  std::vector<T> records;
+  for (const auto& block : store.blocks()) {
+    keys.push_back(static_cast<std::int64_t>(block.key));
+    counts.push_back(block.count);
+    for (int i = 0; i < block.count; ++i) {
+      const std::int32_t b = block.batches[std::size_t(i / width)];
+      ids.push_back(store.ids(b)[i % width]);
+      for (int f = 0; f < store.fields(); ++f) records.push_back(store.batch(b)[f * width + i % width]);
+      for (int f = 0; f < store.aux_fields(); ++f) {
+        records.push_back(store.aux_batch(b)[f * width + i % width]);
+      }
+    }
+  }
+  writer.put(name + "/block_keys", keys);
+  writer.put(name + "/block_counts", counts);
+  writer.put(name + "/ids", ids);
+  writer.put(name + "/records", records);
+}
+
+template <int D, class T>
+void load_particles(const StateReader& reader, const std::string& name, ParticleStore<D, T>& store) {
+  const auto keys = reader.get<std::int64_t>(name + "/block_keys");
+  const auto counts = reader.get<std::int32_t>(name + "/block_counts");
+  const auto ids = reader.get<std::int64_t>(name + "/ids");
+  const auto records = reader.get<T>(name + "/records");
+  const std::size_t stride = std::size_t(store.fields() + store.aux_fields());
+  if (keys.size() != counts.size() || records.size() != ids.size() * stride) {
+    throw RunFault("the checkpoint's particles of " + name + " do not match this deck");
+  }
+  store.clear();
+  store.reserve(std::int64_t(ids.size()) + std::int64_t(keys.size()) * ParticleStore<D, T>::width);
+  std::size_t p = 0;
+  for (std::size_t b = 0; b < keys.size(); ++b) {
+    for (std::int32_t i = 0; i < counts[b]; ++i, ++p) {
+      const std::int64_t slot = store.append(static_cast<std::uint64_t>(keys[b]), ids.at(p));
+      const T* record = &records[p * stride];
+      for (int f = 0; f < store.fields(); ++f) store.value(slot, f) = record[f];
+      for (int f = 0; f < store.aux_fields(); ++f) store.aux_value(slot, f) = record[store.fields() + f];
+    }
+  }
+  store.finish_blocks();
+}
+
+}  // namespace
+
+template <int D, class T>
+void SimulationImpl<D, T>::save(StateWriter& writer) const {
+  writer.put("clock", std::vector<double>{clock_.time, clock_.dt, clock_.next_time, clock_.last_dt});
+  writer.put("bounds",
+             std::vector<double>{bounds_.max_speed, bounds_.max_signal, bounds_.max_excursion});
+  writer.put("counters", std::vector<std::int64_t>{step_, removed_, pending_dead_, recorded_ ? 1 : 0});
+  writer.put_value("scattered_mass", scattered_mass_);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    save_particles(writer, fmt::format("body_{}", b), bodies_[b].body->store());
+  }
+  if (fused_) {
+    std::vector<std::int64_t> keys(grid_.topology().keys().begin(), grid_.topology().keys().end());
+    writer.put("grid/block_keys", keys);
+    writer.put("grid/momentum", std::span<const T>(current_.data(), current_.size()));
+  }
+  for (const Collider& collider : colliders_) collider.save(writer);
+  if (external_) external_->save(writer);
+}
+
+template <int D, class T>
+void SimulationImpl<D, T>::load(const StateReader& reader) {
+  const auto clock = reader.get<double>("clock");
+  clock_ = {clock.at(0), clock.at(1), clock.at(2), clock.at(3)};
+  const auto bounds = reader.get<double>("bounds");
+  bounds_ = {bounds.at(0), bounds.at(1), bounds.at(2)};
+  const auto counters = reader.get<std::int64_t>("counters");
+  step_ = counters.at(0);
+  removed_ = counters.at(1);
+  pending_dead_ = counters.at(2);
+  recorded_ = counters.at(3) != 0;
+  scattered_mass_ = reader.get_value<double>("scattered_mass");
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    load_particles(reader, fmt::format("body_{}", b), bodies_[b].body->store());
+  }
+  refresh_blocks();
+  if (fused_) {
+    const auto keys = reader.get<std::int64_t>("grid/block_keys");
+    const auto momentum = reader.get<T>("grid/momentum");
+    const auto& active = grid_.topology().keys();
+    const auto same = [](std::int64_t a, std::uint64_t b) { return static_cast<std::uint64_t>(a) == b; };
+    if (!std::equal(keys.begin(), keys.end(), active.begin(), active.end(), same) ||
+        momentum.size() != grid_.size()) {
+      throw RunFault("the checkpoint's grid does not match its particles");
+    }
+    current_.assign(momentum.begin(), momentum.end());
+  }
+  for (Collider& collider : colliders_) collider.load(reader);
+  if (external_) external_->load(reader);
+}
+
+template class SimulationImpl<2, float>;
+template class SimulationImpl<2, double>;
+template class SimulationImpl<3, float>;
+template class SimulationImpl<3, double>;
+
+}  // namespace scree

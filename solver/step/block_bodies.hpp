@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "solver/step/particle_ops.hpp"
+#include "solver/step/transfer.hpp"
+
+/// The block bodies: the method itself, written once for every backend.
+///
+/// A body is a list of phases separated by g.sync(). It holds no thread index, atomic or #ifdef; no
+/// value survives a sync except in the arena or the particle store.
+namespace scree {
+
+/// Particles to grid from the stored velocity, affine matrix and stress (split path, first step).
+template <class Kernel, class Transfer, class G, int D, class T>
+SCREE_FN void p2g_block(G& g, const PassData<D, T>& data) {
+  using V = typename G::V;
+  const PassParameters<T>& par = data.parameters;
+  g.clear(0);
+  if (par.separate_force) g.clear(1);
+  g.sync();
+  g.each_batch([&](const typename G::Batch& b) {
+    V u[D];
+    load_position(g, b, u);
+    const auto point = Kernel::template at<V, D>(u);
+    Motion<V, D> motion;
+    load_motion(g, b, data.layout, motion);
+    const Impulse<V, D> impulse =
+        make_impulse<V, D>(par, load_stress<V>(g, b, data.layout), g, b, data.layout);
+    Transfer::scatter(g, point, par.particle_mass, motion, impulse, par.separate_force,
+                      live_lanes<V>(g, b));
+  });
+  g.sync();
+  g.stage_out(0);
+  if (par.separate_force) g.stage_out(1);
+}
+
+/// Grid to particles: velocity, affine matrix, position and dt grad v (split path).
+template <class Kernel, class Transfer, class G, int D, class T>
+SCREE_FN void g2p_block(G& g, const PassData<D, T>& data) {
+  using V = typename G::V;
+  const PassParameters<T>& par = data.parameters;
+  g.stage_in(0);
+  if (Transfer::reads_increment) g.stage_in(1);
+  g.sync();
+  g.each_batch([&](const typename G::Batch& b) {
+    V u[D];
+    load_position(g, b, u);
+    const auto point = Kernel::template at<V, D>(u);
+    Motion<V, D> motion;
+    load_velocity(g, b, data.layout, motion);
+    Transfer::gather(g, point, par.flip_blend, motion);
+    move_particle(g, b, par, motion, u);
+    store_motion(g, b, data.layout, motion);
+    const Mat3<V> increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
+    for (int c = 0; c < D; ++c) {
+      g.store(b, c, u[c]);
+      for (int a = 0; a < D; ++a) {
+        g.store_aux(b, data.layout.increment + c * D + a, increment(c, a));
+      }
+    }
+  });
+}
+
+/// Material update from the stored dt grad v; also the stress of a state at rest (split path).
+template <class Material, class G, int D, class T>
+SCREE_FN void stress_block(G& g, const PassData<D, T>& data,
+                           const typename Material::template Params<T>& material) {
+  using V = typename G::V;
+  g.each_batch([&](const typename G::Batch& b) {
+    V u[D];
+    V velocity[D];
+    load_position(g, b, u);
+    Mat3<V> increment = zero3<V>();
+    for (int c = 0; c < D; ++c) {
+      velocity[c] = g.load_aux(b, data.layout.velocity + c);
+      if (data.layout.increment < 0) continue;
+      for (int a = 0; a < D; ++a) {
+        increment(c, a) = g.load_aux(b, data.layout.increment + c * D + a);
+      }
+    }
+    const Sym3<V> tau = update_material<Material>(g, b, data.parameters, material, increment, u, velocity);
+    store_stress(g, b, data.layout, tau);
+  });
+}
+
+/// The fused pass: gather the new grid velocities, move and deform the particle, return its stress
+/// to the next step's grid. Only position and material state are stored; velocity, affine matrix and
+/// stress leave the registers on request (par.record).
+template <class Kernel, class Material, class G, int D, class T>
+SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
+                          const typename Material::template Params<T>& material) {
+  using V = typename G::V;
+  using Transfer = Mls<Kernel>;
+  const PassParameters<T>& par = data.parameters;
+  g.stage_in(0);
+  g.clear(0);
+  g.sync();
+  g.each_batch([&](const typename G::Batch& b) {
+    V u[D];
+    load_position(g, b, u);
+    Motion<V, D> motion;
+    Transfer::gather(g, Kernel::template at<V, D>(u), par.flip_blend, motion);
+    const V live = move_particle(g, b, par, motion, u);
+    for (int c = 0; c < D; ++c) g.store(b, c, u[c]);
+    const Mat3<V> increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
+    const Sym3<V> tau =
+        update_material<Material>(g, b, par, material, increment, u, motion.velocity);
+    if (par.record) {
+      store_motion(g, b, data.layout, motion);
+      store_stress(g, b, data.layout, tau);
+    }
+    const Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
+    Transfer::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion, impulse, false, live);
+  });
+  g.sync();
+  g.stage_out(0);
+}
+
+}  // namespace scree

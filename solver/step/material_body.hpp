@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "solver/base/error.hpp"
+#include "solver/step/block_bodies.hpp"
+#include "solver/step/body.hpp"
+#include "solver/step/state_access.hpp"
+#include "solver/transfer/compact.hpp"
+#include "solver/transfer/linear.hpp"
+#include "solver/transfer/quadratic.hpp"
+
+namespace scree {
+
+/// The columns of a law's state, in order.
+template <class Material>
+std::vector<StateColumn> state_columns() {
+  std::vector<StateColumn> columns;
+  int first = 0;
+  for (const auto& field : Material::fields()) {
+    columns.push_back({field.name, field.unit, field.components, first, field.output});
+    first += field.components;
+  }
+  return columns;
+}
+
+/// The entries of an undeformed state.
+template <class Material, class T>
+std::vector<T> initial_entries(const typename Material::template Params<T>& params) {
+  using State = typename Material::template State<T>;
+  const State state = Material::template initial<T>(params);
+  std::vector<T> entries(std::size_t(state_entries<State, T>));
+  __builtin_memcpy(entries.data(), &state, sizeof state);
+  return entries;
+}
+
+/// Body of one law: the instances of the block bodies that contain material code.
+template <class Material, int D, class T>
+class MaterialBody final : public Body<D, T> {
+ public:
+  using Params = typename Material::template Params<T>;
+  using State = typename Material::template State<T>;
+  using typename Body<D, T>::Blocks;
+
+  MaterialBody(BodyInfo info, const typename Material::Input& input)
+      : Body<D, T>(info, state_entries<State, T>,
+                   padding(Material::template params<T>(input, info.density, D)),
+                   state_columns<Material>()),
+        params_(Material::template params<T>(input, info.density, D)),
+        exact_(Material::template params<double>(input, info.density, D)) {}
+
+  void g2p2g(Executor& executor, const PassData<D, T>& data, const Blocks& blocks,
+             KernelType kernel) const override {
+    if (kernel == KernelType::compact) {
+      fused<Compact>(executor, data, blocks);
+    } else {
+      fused<Quadratic>(executor, data, blocks);
+    }
+  }
+
+  void stress(Executor& executor, const PassData<D, T>& data, const Blocks& blocks) const override {
+    for_each_block<Linear>(executor, data, blocks,
+                           [&](auto& group) { stress_block<Material>(group, data, params_); });
+  }
+
+  double initial_wave_speed() const override {
+    return Material::wave_speed(exact_, Material::template initial<double>(exact_));
+  }
+
+  void evaluate(const T* batch, int active, double* volume_ratio,
+                double* energy_density) const override {
+    constexpr int width = ParticleStore<D, T>::width;
+    constexpr int entries = state_entries<State, T>;
+    for (int l = 0; l < active; ++l) {
+      double values[entries];
+      for (int i = 0; i < entries; ++i) values[i] = double(batch[(D + i) * width + l]);
+      typename Material::template State<double> state;
+      static_assert(sizeof state == sizeof values);
+      __builtin_memcpy(&state, values, sizeof state);
+      volume_ratio[l] = Material::volume_ratio(exact_, state);
+      energy_density[l] = Material::energy_density(exact_, state);
+    }
+  }
+
+ private:
+  static std::vector<T> padding(const Params& params) {
+    std::vector<T> fields(D, T(0));
+    for (const T entry : initial_entries<Material, T>(params)) fields.push_back(entry);
+    return fields;
+  }
+
+  template <class Kernel>
+  void fused(Executor& executor, const PassData<D, T>& data, const Blocks& blocks) const {
+    for_each_block<Kernel>(executor, data, blocks, [&](auto& group) {
+      g2p2g_block<Kernel, Material>(group, data, params_);
+    });
+  }
+
+  Params params_;
+  typename Material::template Params<double> exact_;
+};
+
+}  // namespace scree

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "solver/base/tensor.hpp"
+#include "solver/step/pass_data.hpp"
+#include "solver/step/state_access.hpp"
+#include "solver/step/transfer.hpp"
+
+namespace scree {
+
+template <class G, class V, int D>
+SCREE_FN void load_position(const G& g, const typename G::Batch& b, V (&u)[D]) {
+  for (int a = 0; a < D; ++a) u[a] = g.load(b, a);
+}
+
+/// 1 for lanes that hold a particle, else 0.
+template <class V, class G>
+SCREE_FN V live_lanes(const G& g, const typename G::Batch& b) {
+  return select(g.active(b), broadcast<V>(1), broadcast<V>(0));
+}
+
+template <class G, class V, int D>
+SCREE_FN void load_velocity(const G& g, const typename G::Batch& b, const AuxLayout& layout,
+                            Motion<V, D>& motion) {
+  for (int c = 0; c < D; ++c) motion.velocity[c] = g.load_aux(b, layout.velocity + c);
+}
+
+template <class G, class V, int D>
+SCREE_FN void load_motion(const G& g, const typename G::Batch& b, const AuxLayout& layout,
+                          Motion<V, D>& motion) {
+  load_velocity(g, b, layout, motion);
+  for (int c = 0; c < D; ++c) {
+    for (int a = 0; a < D; ++a) motion.affine[c][a] = g.load_aux(b, layout.affine + c * D + a);
+  }
+}
+
+template <class G, class V, int D>
+SCREE_FN void store_motion(G& g, const typename G::Batch& b, const AuxLayout& layout,
+                           const Motion<V, D>& motion) {
+  for (int c = 0; c < D; ++c) {
+    g.store_aux(b, layout.velocity + c, motion.velocity[c]);
+    for (int a = 0; a < D; ++a) g.store_aux(b, layout.affine + c * D + a, motion.affine[c][a]);
+  }
+}
+
+template <class V, class G>
+SCREE_FN Sym3<V> load_stress(const G& g, const typename G::Batch& b, const AuxLayout& layout) {
+  const int s = layout.stress;
+  return {g.load_aux(b, s),     g.load_aux(b, s + 1), g.load_aux(b, s + 2),
+          g.load_aux(b, s + 3), g.load_aux(b, s + 4), g.load_aux(b, s + 5)};
+}
+
+template <class V, class G>
+SCREE_FN void store_stress(G& g, const typename G::Batch& b, const AuxLayout& layout,
+                           const Sym3<V>& tau) {
+  const int s = layout.stress;
+  g.store_aux(b, s, tau.xx);
+  g.store_aux(b, s + 1, tau.xy);
+  g.store_aux(b, s + 2, tau.xz);
+  g.store_aux(b, s + 3, tau.yy);
+  g.store_aux(b, s + 4, tau.yz);
+  g.store_aux(b, s + 5, tau.zz);
+}
+
+/// Impulse of the Kirchhoff stress over the next step; no external force.
+template <class V, int D, class T>
+SCREE_FN Impulse<V, D> make_impulse(const PassParameters<T>& par, const Sym3<V>& tau) {
+  Impulse<V, D> impulse;
+  const T scale = -par.dt_next * par.particle_volume / par.cell_size;
+  for (int c = 0; c < D; ++c) {
+    for (int a = 0; a < D; ++a) impulse.stress[c][a] = tau(c, a) * scale;
+    impulse.external[c] = broadcast<V>(T(0));
+  }
+  return impulse;
+}
+
+/// The same with the stored external force, where there is one.
+template <class V, int D, class T, class G>
+SCREE_FN Impulse<V, D> make_impulse(const PassParameters<T>& par, const Sym3<V>& tau, const G& g,
+                                    const typename G::Batch& b, const AuxLayout& layout) {
+  Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
+  if (layout.external < 0) return impulse;
+  for (int c = 0; c < D; ++c) {
+    impulse.external[c] = g.load_aux(b, layout.external + c) * (par.dt_next * par.particle_mass);
+  }
+  return impulse;
+}
+
+/// dt/dx for particles, 0 for padding lanes, which must neither move nor deform.
+template <class V, class G, class T>
+SCREE_FN V step_over_cell(const G& g, const typename G::Batch& b, const PassParameters<T>& par) {
+  return select(g.active(b), broadcast<V>(par.dt / par.cell_size), broadcast<V>(T(0)));
+}
+
+/// dt grad v as a 3x3 matrix; in 2D the third row and column vanish (plane strain).
+template <class V, int D>
+SCREE_FN Mat3<V> gradient_increment(const Motion<V, D>& motion, const V& scale) {
+  Mat3<V> increment = zero3<V>();
+  for (int c = 0; c < D; ++c) {
+    for (int a = 0; a < D; ++a) increment(c, a) = motion.gradient[c][a] * scale;
+  }
+  return increment;
+}
+
+/// Advances the position, reports the motion, checks the movement bound and the domain's faces.
+///
+/// Returns 1 for the lanes that may scatter: particles that neither left through an open face nor
+/// strayed beyond the arena.
+template <class G, class V, int D, class T>
+SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<T>& par,
+                         const Motion<V, D>& motion, V (&u)[D]) {
+  const V none = broadcast<V>(T(0));
+  const MaskOf<V> active = g.active(b);
+  const V scale = step_over_cell<V>(g, b, par);
+  V speed = none;
+  V stray = none;
+  V leaving = none;  // depth beyond an open face [cells], > 0 outside
+  V beyond = none;   // the same for closed faces
+  for (int a = 0; a < D; ++a) {
+    const V moved = u[a] + motion.transport[a] * scale;  // padding stays where it is
+    speed = max(speed, abs(motion.transport[a]));
+    stray = max(stray, max(T(home_begin) - moved, moved - T(home_end)));
+    const V x = moved + g.block_origin(a);
+    stray = max(stray, max(par.wrap_lower[a] - x, x - par.wrap_upper[a]));
+    leaving = max(leaving, max(par.alive_lower[a] - x, x - par.alive_upper[a]));
+    beyond = max(beyond, max(par.closed_lower[a] - x, x - par.closed_upper[a]));
+    u[a] = moved;
+  }
+  // Written so that a velocity that is not a number fails the test too.
+  const MaskOf<V> finite = speed < broadcast<V>(T(1e30));
+  const MaskOf<V> inside = stray <= broadcast<V>(T(max_excursion));
+  g.fault(active & !finite, FaultCode::not_finite, speed, u, b);
+  g.fault(active & !inside, FaultCode::moved_too_far, speed * (par.dt / par.cell_size), u, b);
+  g.fault(active & (beyond > broadcast<V>(T(0))), FaultCode::left_domain, beyond, u, b);
+  g.note_motion(active, speed, stray);
+  const MaskOf<V> gone = leaving > broadcast<V>(T(0));
+  g.remove(active & gone & inside, b);
+  const MaskOf<V> scatters = active & finite & inside & !gone;
+  for (int a = 0; a < D; ++a) u[a] = select(inside & finite, u[a], broadcast<V>(T(2)));
+  return select(scatters, broadcast<V>(T(1)), none);
+}
+
+/// Loads the material state, applies dt grad v, stores it and returns the Kirchhoff stress [Pa];
+/// reports the wave speed and states that the material cannot represent.
+template <class Material, class G, class V, int D, class T>
+SCREE_FN Sym3<V> update_material(G& g, const typename G::Batch& b, const PassParameters<T>& par,
+                                 const typename Material::template Params<T>& material,
+                                 const Mat3<V>& increment, const V (&u)[D], const V (&velocity)[D]) {
+  auto state = load_state<typename Material::template State<V>, V>(g, b, D);
+  const Sym3<V> tau = Material::kirchhoff(material, state, increment, par.dt);
+  store_state<V>(g, b, D, state);
+  const MaskOf<V> active = g.active(b);
+  const MaskOf<V> admissible = Material::admissible(material, state);
+  g.fault(active & !admissible, FaultCode::inadmissible_state,
+          Material::volume_ratio(material, state), u, b);
+  V square = velocity[0] * velocity[0];
+  for (int c = 1; c < D; ++c) square = square + velocity[c] * velocity[c];
+  g.note_signal(active, Material::wave_speed(material, state) + sqrt(square));
+  return tau;
+}
+
+}  // namespace scree

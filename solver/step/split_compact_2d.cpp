@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/step/split_kernel.hpp"
+
+namespace scree {
+
+template struct SplitKernel<Compact, 2, double>;
+template struct SplitKernel<Compact, 2, float>;
+
+}  // namespace scree
