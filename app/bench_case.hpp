@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/bench_options.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace scree {
+
+/// The scene of a benchmark in 3D with 8 particles a cell:
+/// elastic: a free cube (fixed_corotated) with a smooth velocity field;
+/// sand: a column (drucker_prager) that collapses on a sticky floor;
+/// fluid: a block (j_fluid) that spreads between slip walls.
+/// Throws UserError for an unknown case, kernel, precision or path.
+SimulationSetup build_bench_case(const BenchOptions& options);
+
+}  // namespace scree

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/bench_command.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "app/bench_case.hpp"
+#include "solver/base/error.hpp"
+
+namespace scree {
+namespace {
+
+struct BenchResult {
+  std::int64_t particles = 0;
+  int steps = 0;
+  int threads = 1;
+  double seconds = 0;
+  PhaseTimes phases;  ///< of the timed steps
+  MemoryReport memory;
+  std::int64_t max_rss_bytes = 0;
+
+  double updates_per_second() const { return double(particles) * steps / seconds; }
+  double bytes_per_particle() const { return double(memory.total()) / double(particles); }
+};
+
+std::int64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return std::int64_t(usage.ru_maxrss) * 1024;
+}
+
+double run_steps(Simulation& simulation, int steps) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < steps; ++i) simulation.step();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+BenchResult measure(const BenchOptions& options) {
+  constexpr int warm_up = 3;
+  constexpr double wanted_seconds = 3;
+  SimulationSetup setup = build_bench_case(options);
+  BenchResult result;
+  const int cores = std::max(1, int(std::thread::hardware_concurrency()));
+  result.threads = setup.threads = options.threads > 0 ? options.threads : cores;
+  const auto simulation = Simulation::create(std::move(setup));
+  const double warm_seconds = run_steps(*simulation, warm_up);
+  result.steps = options.steps > 0
+                     ? options.steps
+                     : std::clamp(int(wanted_seconds / warm_seconds * warm_up), 10, 2000);
+  const PhaseTimes before = simulation->phases();
+  result.seconds = run_steps(*simulation, result.steps);
+  result.phases = simulation->phases();
+  for (std::size_t i = 0; i < before.size(); ++i) result.phases[i].second -= before[i].second;
+  result.particles = simulation->particle_count();
+  result.memory = simulation->memory();
+  result.max_rss_bytes = peak_memory();
+  return result;
+}
+
+void print_json(const BenchOptions& options, const BenchResult& r) {
+  nlohmann::ordered_json phases;
+  for (const auto& [name, seconds] : r.phases) phases[name] = seconds / r.steps;
+  const nlohmann::ordered_json out{{"case", options.case_name},
+                                   {"particles", r.particles},
+                                   {"steps", r.steps},
+                                   {"precision", options.precision},
+                                   {"kernel", options.kernel},
+                                   {"path", options.path},
+                                   {"backend", options.backend},
+                                   {"threads", r.threads},
+                                   {"particle_updates_per_second", r.updates_per_second()},
+                                   {"seconds_per_step", r.seconds / r.steps},
+                                   {"bytes_per_particle", r.bytes_per_particle()},
+                                   {"phases", phases},
+                                   {"max_rss_bytes", r.max_rss_bytes}};
+  fmt::print("{}\n", out.dump(2));
+}
+
+void print_text(const BenchOptions& options, const BenchResult& r) {
+  const double per_particle = 1e9 * r.seconds / (double(r.particles) * r.steps);
+  fmt::print("{}, {} {}, {} path, {} thread{}: {} particles, {} steps\n", options.case_name,
+             options.kernel, options.precision, options.path, r.threads, r.threads == 1 ? "" : "s",
+             r.particles, r.steps);
+  fmt::print("  particle updates   {:9.2f} million/s ({:.2f} a thread)\n", r.updates_per_second() / 1e6,
+             r.updates_per_second() / 1e6 / r.threads);
+  fmt::print("  step               {:9.3f} ms\n", 1e3 * r.seconds / r.steps);
+  fmt::print("  per particle       {:9.2f} ns\n", per_particle);
+  for (const auto& [name, seconds] : r.phases) {
+    fmt::print("    {:<16} {:9.2f} ns\n", name, 1e9 * seconds / (double(r.particles) * r.steps));
+  }
+  fmt::print("  memory             {:9.1f} bytes a particle (particles {:.1f}, grid {:.1f}, other {:.1f})\n",
+             r.bytes_per_particle(), double(r.memory.particles) / double(r.particles),
+             double(r.memory.grid) / double(r.particles), double(r.memory.other) / double(r.particles));
+  fmt::print("  peak resident      {:9.1f} MB\n", double(r.max_rss_bytes) / 1e6);
+}
+
+}  // namespace
+
+int bench_command(const BenchOptions& options) {
+  if (options.backend != "cpu") {
+    throw UserError("--backend " + options.backend + ": this build runs on the cpu only");
+  }
+  const BenchResult result = measure(options);
+  if (options.json) {
+    print_json(options, result);
+  } else {
+    print_text(options, result);
+  }
+  return 0;
+}
+
+}  // namespace scree

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/build_simulation.hpp"
+
+#include <algorithm>
+#include <memory>
+
+#include "solver/deck/expression.hpp"
+#include "solver/particles/sampling.hpp"
+#include "solver/particles/shape.hpp"
+
+namespace scree {
+namespace {
+
+/// Up to three expressions of the same variables; a component that is not given is zero.
+class Field {
+ public:
+  Field(const std::array<Formula, 3>& formulas, int dimension,
+        const std::vector<std::string>& variables) {
+    for (int a = 0; a < dimension; ++a) {
+      const Formula& formula = formulas[std::size_t(a)];
+      components_.emplace_back(formula.given() ? formula.text : "0", variables);
+    }
+  }
+
+  static bool given(const std::array<Formula, 3>& formulas) {
+    return std::any_of(formulas.begin(), formulas.end(), [](const Formula& f) { return f.given(); });
+  }
+
+  std::array<double, 3> operator()(const double* variables) const {
+    std::array<double, 3> value{};
+    for (std::size_t a = 0; a < components_.size(); ++a) value[a] = components_[a](variables);
+    return value;
+  }
+
+ private:
+  std::vector<Expression> components_;
+};
+
+/// Velocity and its gradient at every particle, the gradient by differences of fourth order.
+void set_velocity(const BodySpec& spec, int dimension, double cell_size, BodySetup& body) {
+  if (!Field::given(spec.velocity)) return;
+  const Field field(spec.velocity, dimension, {"x", "y", "z"});
+  const double h = 1e-3 * cell_size;  // truncation h^4 and rounding eps/h are both about 1e-12
+  const std::size_t count = body.position.size() / 3;
+  body.velocity.resize(3 * count);
+  body.velocity_gradient.assign(9 * count, 0.0);
+  for (std::size_t p = 0; p < count; ++p) {
+    const double* x = &body.position[3 * p];
+    const std::array<double, 3> v = field(x);
+    std::copy(v.begin(), v.end(), &body.velocity[3 * p]);
+    for (int j = 0; j < dimension; ++j) {
+      const auto at = [&](double shift) {
+        double y[3] = {x[0], x[1], x[2]};
+        y[j] += shift;
+        return field(y);
+      };
+      const auto m2 = at(-2 * h);
+      const auto m1 = at(-h);
+      const auto p1 = at(h);
+      const auto p2 = at(2 * h);
+      for (int i = 0; i < dimension; ++i) {
+        const std::size_t k = std::size_t(i);
+        body.velocity_gradient[9 * p + 3 * k + std::size_t(j)] =
+            (m2[k] - p2[k] + 8 * (p1[k] - m1[k])) / (12 * h);
+      }
+    }
+  }
+}
+
+/// Which domain faces hold a body that lies on them (for the exposed surface of a traction).
+void mark_walls(const Deck& deck, SurfaceSelection& selection) {
+  for (int a = 0; a < deck.domain.dimension; ++a) {
+    for (int side = 0; side < 2; ++side) {
+      selection.wall[std::size_t(a)][std::size_t(side)] =
+          deck.boundary.face(a, side).type != FaceType::open;
+    }
+  }
+  selection.domain_upper = deck.domain.upper;
+}
+
+void add_tractions(const Deck& deck, std::int32_t body, const SampledBody& sampled,
+                   SimulationSetup& setup) {
+  for (const TractionSpec& spec : deck.tractions) {
+    if (spec.body != deck.bodies[std::size_t(body)].name) continue;
+    const auto region = make_shape(spec.region, deck.domain.dimension);
+    SurfaceSelection selection;
+    selection.region = region.get();
+    selection.facing = spec.facing;
+    mark_walls(deck, selection);
+    setup.tractions.push_back({spec, body, exposed_faces(sampled, selection)});
+  }
+}
+
+void add_body(const Deck& deck, std::int32_t index, SimulationSetup& setup) {
+  const BodySpec& spec = deck.bodies[std::size_t(index)];
+  const MaterialSpec& material = *deck.find_material(spec.material);
+  const auto shape = make_shape(spec.shape, deck.domain.dimension);
+  SampledBody sampled = sample(*shape, deck.domain.lower, deck.domain.cell_size,
+                               spec.particles_per_direction, deck.domain.dimension);
+  add_tractions(deck, index, sampled, setup);
+  BodySetup body;
+  body.name = spec.name;
+  body.material = material.name;
+  body.model = material.model;
+  body.input = material.input;
+  body.density = material.density;
+  body.material_index = std::int32_t(&material - deck.materials.data());
+  body.particle_volume = sampled.particle_volume;
+  body.position = std::move(sampled.position);
+  set_velocity(spec, deck.domain.dimension, deck.domain.cell_size, body);
+  setup.bodies.push_back(std::move(body));
+}
+
+void set_loads(const Deck& deck, SimulationSetup& setup) {
+  const int dimension = deck.domain.dimension;
+  if (Field::given(deck.method.gravity)) {
+    setup.gravity = [field = Field(deck.method.gravity, dimension, {"t"})](double t) {
+      return field(&t);
+    };
+  }
+  if (Field::given(deck.method.body_force)) {
+    const Field field(deck.method.body_force, dimension, {"X", "Y", "Z", "x", "y", "z", "t"});
+    setup.body_force = [field](const double* X, const double* x, double t) {
+      const double variables[7] = {X[0], X[1], X[2], x[0], x[1], x[2], t};
+      return field(variables);
+    };
+  }
+}
+
+bool wants_displacement(const Deck& deck) {
+  const auto& fields = deck.output.fields;
+  return std::find(fields.begin(), fields.end(), "displacement") != fields.end();
+}
+
+}  // namespace
+
+Schedule build_schedule(const Deck& deck) {
+  const double frames = deck.output.format == FrameFormat::none ? 0 : deck.output.every;
+  return Schedule(deck.time.end, deck.history.every, frames, deck.checkpoint.every.value_or(0));
+}
+
+SimulationSetup build_setup(const Deck& deck) {
+  SimulationSetup setup;
+  setup.dimension = deck.domain.dimension;
+  setup.precision = deck.method.precision;
+  setup.lower = deck.domain.lower;
+  for (std::size_t a = 0; a < 3; ++a) setup.cells[a] = deck.domain.cells[a];
+  setup.cell_size = deck.domain.cell_size;
+  setup.kernel = deck.method.kernel;
+  setup.transfer = deck.method.transfer;
+  setup.flip_blend = deck.method.flip_blend;
+  setup.cfl = deck.time.cfl;
+  setup.step = deck.time.step;
+  setup.damping = deck.method.damping.value > 0 ? deck.method.damping.type : DampingType::none;
+  setup.damping_value = deck.method.damping.value;
+  for (int a = 0; a < setup.dimension; ++a) {
+    for (int side = 0; side < 2; ++side) {
+      const FaceSpec& face = deck.boundary.face(a, side);
+      setup.faces[std::size_t(a)][std::size_t(side)] = face.type;
+      setup.face_friction[std::size_t(a)][std::size_t(side)] = face.coefficient;
+    }
+  }
+  setup.colliders = deck.colliders;
+  set_loads(deck, setup);
+  for (std::size_t b = 0; b < deck.bodies.size(); ++b) add_body(deck, std::int32_t(b), setup);
+  setup.keep_reference = wants_displacement(deck) || setup.body_force || !setup.tractions.empty();
+  setup.schedule = build_schedule(deck);
+  return setup;
+}
+
+}  // namespace scree

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "solver/deck/deck.hpp"
+#include "solver/simulation/simulation.hpp"
+
+namespace scree {
+
+/// Turns a checked deck into what the solver runs: the only place that does. `threads` stays 1.
+SimulationSetup build_setup(const Deck& deck);
+
+/// History, frame and checkpoint times of a deck.
+Schedule build_schedule(const Deck& deck);
+
+}  // namespace scree
