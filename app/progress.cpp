@@ -14,11 +14,14 @@ namespace scree {
 
 namespace {
 
-constexpr double bar_interval = 0.1;   // s of wall time between two drawings
-constexpr double line_interval = 60;   // s of wall time after which a line is written anyway
-constexpr double line_fraction = 0.1;  // of the simulated time between two lines
-constexpr double line_spacing = 1;     // s of wall time between two lines at least
+constexpr double bar_interval = 0.1;  // s of wall time between two drawings
+constexpr double line_interval = 60;  // s of wall time after which a line is written anyway
+constexpr double lines_a_run = 10;    // a line at every tenth of the simulated time
+constexpr double line_spacing = 1;    // s of wall time between two lines at least
 constexpr int bar_width = 24;
+
+/// How many parts of the simulated time are over; the addend forgives rounding.
+double part(double fraction) { return std::floor(fraction * lines_a_run + 1e-9); }
 
 std::string bar(double fraction) {
   const int full = static_cast<int>(std::lround(fraction * bar_width));
@@ -38,7 +41,7 @@ bool Progress::due(double now, double fraction) const {
   const double waited = now - last_written_;
   if (style_ == ProgressStyle::bar) return waited >= bar_interval;
   return waited >= line_interval ||
-         (waited >= line_spacing && fraction - last_fraction_ >= line_fraction);
+         (waited >= line_spacing && part(fraction) > part(last_fraction_));
 }
 
 std::string Progress::text(const ProgressState& state, double now) const {

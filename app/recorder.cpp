@@ -121,6 +121,13 @@ void check_identity(const StateReader& checkpoint, const RunIdentity& identity) 
     throw UserError(fmt::format("the run was made with --backend {} and cannot continue with {}",
                                 backend, identity.backend));
   }
+  const std::string version = checkpoint.text("run/version");
+  if (version != identity.version) {
+    throw UserError(
+        fmt::format("the checkpoint is from scree {} and this is scree {}; only the same "
+                    "version continues a run bit for bit",
+                    version, identity.version));
+  }
   const std::vector<std::string> changes =
       forbidden_changes(checkpoint.text("run/deck"), identity.deck);
   if (changes.empty()) return;

@@ -65,8 +65,8 @@ class Recorder {
   double seconds_ = 0;
 };
 
-/// Checks that a checkpoint belongs to this deck and backend. Throws UserError naming every key
-/// that changed.
+/// Checks that a checkpoint belongs to this deck, backend and version. Throws UserError naming
+/// every key that changed.
 void check_identity(const StateReader& checkpoint, const RunIdentity& identity);
 
 }  // namespace scree

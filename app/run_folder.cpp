@@ -27,6 +27,16 @@ bool holds_run(const fs::path& path) {
   return fs::exists(path / "run.json") || fs::exists(path / "checkpoint.h5");
 }
 
+/// True if there is nothing, or only what a run killed in its first moment leaves.
+bool holds_nothing(const fs::path& path) {
+  for (const auto& entry : fs::directory_iterator(path)) {
+    const std::string name = entry.path().filename().string();
+    const bool first = name == "run.json.tmp" || (name == "frames" && fs::is_empty(entry.path()));
+    if (!first) return false;
+  }
+  return true;
+}
+
 [[noreturn]] void refuse_existing(const fs::path& path) {
   throw UserError(
       fmt::format("{} holds a run already; continue it with --resume, replace it with --overwrite, "
@@ -100,7 +110,7 @@ void RunFolder::check(const fs::path& path, FolderMode mode) {
   if (!exists) return;
   check_writable(path);
   if (mode == FolderMode::fresh && holds_run(path)) refuse_existing(path);
-  if (!holds_run(path) && !fs::is_empty(path)) refuse_foreign(path);
+  if (!holds_run(path) && !holds_nothing(path)) refuse_foreign(path);
 }
 
 RunFolder RunFolder::open(const fs::path& path, FolderMode mode) {

@@ -107,7 +107,6 @@ Handle file_access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   // Written aside and renamed, the file needs no lock, and some network disks refuse them.
   H5Pset_file_locking(access.get(), false, true);
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_V18, H5F_LIBVER_LATEST);
   return access;
 }
 
@@ -155,8 +154,11 @@ struct CheckpointWriter::File {
     const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
     const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(links.get(), 1);
+    // No time stamps: the same state gives the same bytes.
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation.get(), false);
     const Handle data(H5Dcreate2(file.get(), name.c_str(), type, space.get(), links.get(),
-                                 H5P_DEFAULT, H5P_DEFAULT),
+                                 creation.get(), H5P_DEFAULT),
                       H5Dclose);
     if (!data.valid()) fail();
     if (count > 0 && H5Dwrite(data.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail();

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/run_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <new>
+#include <thread>
+#include <utility>
+
+#include "app/build_simulation.hpp"
+#include "app/progress.hpp"
+#include "app/recorder.hpp"
+#include "app/run_folder.hpp"
+#include "app/run_loop.hpp"
+#include "app/run_record.hpp"
+#include "app/run_summary.hpp"
+#include "app/signals.hpp"
+#include "generated/build_info.hpp"
+#include "solver/base/error.hpp"
+#include "solver/deck/deck.hpp"
+#include "solver/io/checkpoint.hpp"
+#include "solver/io/durable_file.hpp"
+
+namespace scree {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double record_interval = 5;  // s of wall time between two updates of run.json
+
+double wall_clock() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+constexpr const char* no_memory =
+    "there is not enough memory; scree check says how much a deck needs";
+
+std::string sentence(const fs::filesystem_error& error) {
+  return fmt::format("cannot use {}: {}", error.path1().string(), error.code().message());
+}
+
+FolderMode folder_mode(const RunOptions& options) {
+  if (options.resume && options.overwrite) {
+    throw UserError("--resume and --overwrite exclude each other");
+  }
+  if (options.resume) return FolderMode::resume;
+  return options.overwrite ? FolderMode::overwrite : FolderMode::fresh;
+}
+
+std::string chosen_backend(const std::string& asked) {
+  if (asked == "auto" || asked == "cpu") return "cpu";
+  throw UserError(
+      fmt::format("--backend {} cannot run a deck in this version; use --backend cpu", asked));
+}
+
+int thread_count(int asked) {
+  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+std::vector<std::string> collider_names(const Deck& deck) {
+  std::vector<std::string> names;
+  for (const ColliderSpec& collider : deck.colliders) names.push_back(collider.name);
+  return names;
+}
+
+/// A run from its deck to its summary.
+class Run {
+ public:
+  Run(const RunOptions& options, Deck deck);
+
+  int execute();
+
+ private:
+  RunIdentity identity() const;
+  void build();
+  void open_files();
+  RunEnd advance();
+  void after_step();
+  void update_record();
+  int finish(RunEnd end);
+  int fail(const std::string& fault);
+  ProgressState progress_state() const;
+  std::string files() const;
+
+  const RunOptions& options_;
+  Deck deck_;
+  FolderMode mode_;
+  fs::path path_;
+  StopSignals signals_;
+  std::unique_ptr<CheckpointReader> checkpoint_;
+  Schedule schedule_;
+  std::unique_ptr<Simulation> simulation_;
+  std::unique_ptr<RunFolder> folder_;
+  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<Progress> progress_;
+  RunRecord former_;  ///< sums of the run before this call
+  RunRecord record_;
+  double started_ = 0, recorded_ = 0;  ///< s, wall clock
+  double updates_ = 0;                 ///< particle updates of this call
+};
+
+Run::Run(const RunOptions& options, Deck deck)
+    : options_(options), deck_(std::move(deck)), mode_(folder_mode(options)) {
+  path_ = options.output.empty() ? default_run_folder(deck_.path) : fs::path(options.output);
+  record_.version = build_info::version;
+  record_.title = deck_.title;
+  record_.deck = deck_.path;
+  record_.backend = chosen_backend(options.backend);
+  record_.threads = thread_count(options.threads);
+  record_.end_time = deck_.time.end;
+  record_.cite = citations(deck_);
+}
+
+RunIdentity Run::identity() const {
+  return {resolved_toml(deck_), record_.backend, record_.version};
+}
+
+/// All that can fail because of the input, before anything is written.
+void Run::build() {
+  RunFolder::check(path_, mode_);
+  if (mode_ == FolderMode::resume) {
+    checkpoint_ = std::make_unique<CheckpointReader>(path_ / "checkpoint.h5");
+    check_identity(*checkpoint_, identity());
+  }
+  SimulationSetup setup = build_setup(deck_);
+  setup.threads = record_.threads;
+  schedule_ = setup.schedule;
+  simulation_ = Simulation::create(std::move(setup));
+  if (checkpoint_) simulation_->load(*checkpoint_);
+}
+
+void Run::open_files() {
+  folder_ = std::make_unique<RunFolder>(RunFolder::open(path_, mode_));
+  if (checkpoint_) add_former_times(former_, folder_->record());
+  update_record();
+  write_record(folder_->record(), record_);
+  replace_file(folder_->resolved_deck(), resolved_toml(deck_));
+  const bool checkpoints = deck_.checkpoint.every.has_value();
+  recorder_ =
+      std::make_unique<Recorder>(*folder_, deck_.output, checkpoints, schedule_, identity());
+  if (checkpoint_) {
+    recorder_->resume(*simulation_, *checkpoint_, collider_names(deck_));
+    checkpoint_.reset();
+  } else {
+    recorder_->start(*simulation_, collider_names(deck_));
+  }
+}
+
+RunEnd Run::advance() {
+  progress_ = std::make_unique<Progress>(stdout, progress_style(stdout, options_.quiet),
+                                         simulation_->time(), deck_.time.end, wall_clock);
+  RunLimits limits;
+  if (options_.until) limits.until = *options_.until;
+  if (options_.max_steps) limits.max_steps = *options_.max_steps;
+  limits.stop_asked = [] { return StopSignals::received() != 0; };
+  return run_loop(*simulation_, schedule_, *recorder_, limits, [this] { after_step(); });
+}
+
+void Run::after_step() {
+  updates_ += static_cast<double>(simulation_->particle_count());
+  progress_->update(progress_state());
+  const double now = wall_clock();
+  if (now - recorded_ < record_interval) return;
+  recorded_ = now;
+  update_record();
+  write_record(folder_->record(), record_);
+}
+
+ProgressState Run::progress_state() const {
+  return {simulation_->time(), simulation_->step_count(), simulation_->dt(), updates_};
+}
+
+void Run::update_record() {
+  record_.particles = simulation_->particle_count();
+  record_.removed_particles = simulation_->removed_count();
+  record_.steps = simulation_->step_count();
+  record_.simulated_time = simulation_->time();
+  record_.wall_seconds = former_.wall_seconds + (wall_clock() - started_);
+  record_.particle_updates = former_.particle_updates + updates_;
+  record_.bytes_per_particle = static_cast<double>(simulation_->memory().total()) /
+                               std::max(1.0, static_cast<double>(record_.particles));
+  record_.phases = former_.phases;
+  for (const auto& [name, seconds] : simulation_->phases()) record_.phases[name] += seconds;
+  if (recorder_) record_.phases["output"] += recorder_->seconds();
+}
+
+std::string Run::files() const {
+  std::string text = "resolved.toml, run.json";
+  for (const char* name : {"history.csv", "particles.pvd", "grid.pvd", "checkpoint.h5"}) {
+    if (fs::exists(path_ / name)) text += std::string(", ") + name;
+  }
+  return text;
+}
+
+int Run::finish(RunEnd end) {
+  progress_->finish(progress_state());
+  update_record();
+  record_.status = end == RunEnd::end_time ? "done" : "interrupted";
+  write_record(folder_->record(), record_);
+  if (!options_.quiet) {
+    fmt::print("{}", run_summary(record_, path_, files()));
+    if (end != RunEnd::end_time) fmt::print("continue with --resume\n");
+  }
+  return end == RunEnd::signal ? 128 + StopSignals::received() : 0;
+}
+
+int Run::fail(const std::string& fault) {
+  if (progress_) progress_->finish(progress_state());
+  const std::string kept = recorder_ ? recorder_->kept() : "nothing";
+  fmt::print(stderr, "scree: {}; kept in {}: {}\n", fault, path_.string(), kept);
+  update_record();
+  record_.status = "failed";
+  record_.faults.push_back(fault);
+  if (!write_last_record(folder_->record(), record_)) {
+    fmt::print(stderr, "scree: {} could not be brought up to date\n", folder_->record().string());
+  }
+  return 1;
+}
+
+int Run::execute() {
+  started_ = recorded_ = wall_clock();
+  build();
+  if (!options_.quiet) {
+    fmt::print("{}\n{} particles, {}, {} threads -> {}\n",
+               deck_.title.empty() ? deck_.name : deck_.title, simulation_->particle_count(),
+               record_.backend, record_.threads, path_.string());
+    std::fflush(stdout);
+  }
+  try {
+    open_files();
+    return finish(advance());
+  } catch (const RunFault& fault) {
+    if (!folder_) throw;  // nothing was written: the caller prints the sentence
+    return fail(fault.what());
+  } catch (const fs::filesystem_error& error) {
+    if (!folder_) throw;
+    return fail(sentence(error));
+  } catch (const std::bad_alloc&) {
+    if (!folder_) throw;
+    return fail(no_memory);
+  }
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  try {
+    Problems problems;
+    Deck deck = read_deck(options.deck, options.overrides, problems);
+    if (!problems.empty()) {
+      fmt::print(stderr, "{}", problems.text());
+      return 2;
+    }
+    return Run(options, std::move(deck)).execute();
+  } catch (const UserError& error) {
+    fmt::print(stderr, "scree: {}\n", error.what());
+    return 2;
+  } catch (const RunFault& fault) {
+    fmt::print(stderr, "scree: {}\n", fault.what());
+    return 1;
+  } catch (const fs::filesystem_error& error) {
+    fmt::print(stderr, "scree: {}\n", sentence(error));
+    return 1;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "scree: {}\n", no_memory);
+    return 1;
+  }
+}
+
+}  // namespace scree
