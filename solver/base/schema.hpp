@@ -25,7 +25,7 @@ class SchemaReader;
 
 /// What checks and defaults may depend on.
 struct SchemaContext {
-  int dimension = 3;               ///< domain.dimension
+  int dimension = 3;               ///< domain.dimension; 0: not known (it is faulty)
   std::string kernel = "compact";  ///< method.kernel
   /// What is wrong with an expression of these variables, or nothing. Not checked when empty.
   std::function<std::optional<std::string>(const std::string& text,
@@ -134,7 +134,9 @@ class SchemaReader {
   bool available(const Entry&, Scope&);
   void report_missing(const Entry&, const Scope&);
   void check_keys(const Scope&, const std::vector<std::string>& elsewhere);
-  void run_checks(const SchemaBase&, const Scope&);
+  void run_checks(const SchemaBase&, const Scope&, bool all_right);
+  bool has_length(const Entry&, const Value&, const std::string& path, const std::string& what);
+  bool quantity(const Entry&, const Value&, const std::string& path, Quantity& result);
   bool in_range(const Entry&, double value, const Value&, const std::string& path, bool has_unit);
 
   SchemaContext context_;
@@ -199,7 +201,10 @@ class Field {
 /// A schema without its C++ type.
 class SchemaBase {
  public:
-  using Check = std::function<std::optional<Finding>(const void*, const SchemaContext&)>;
+  struct Check {
+    std::vector<std::string> keys;  ///< runs when these had no problem; empty: all of the table's
+    std::function<std::optional<Finding>(const void*, const SchemaContext&)> test;
+  };
 
   SchemaBase(std::string name, std::string doc) : name_(std::move(name)), doc_(std::move(doc)) {}
 
@@ -282,9 +287,14 @@ class Schema : public SchemaBase {
   /// A check over several keys; runs only when every key of the table was read without problem.
   template <class F>
   void check(F test) {
-    checks_.push_back([test](const void* spec, const SchemaContext& context) {
-      return std::optional<Finding>(test(*static_cast<const S*>(spec), context));
-    });
+    check({}, test);
+  }
+  /// The same for a check that needs only these keys to be right.
+  template <class F>
+  void check(std::vector<std::string> keys, F test) {
+    checks_.push_back({std::move(keys), [test](const void* spec, const SchemaContext& context) {
+                         return std::optional<Finding>(test(*static_cast<const S*>(spec), context));
+                       }});
   }
 
  protected:
@@ -296,6 +306,9 @@ class Schema : public SchemaBase {
     return entry;
   }
 };
+
+/// The range as a sentence: "above 0 and at most 0.5", "at least 0 Pa"; angles in degrees.
+std::string range_text(const Entry& entry);
 
 /// TOML text of members, as the resolved echo prints them; "" for NaN, absent or empty.
 std::string write_number(double value);

@@ -49,7 +49,7 @@ std::vector<std::string> available_keys(const SchemaBase& schema, const Value& t
                                         int dimension) {
   std::vector<std::string> keys;
   for (const auto& entry : schema.entries()) {
-    if (entry->dimension != 0 && entry->dimension != dimension) continue;
+    if (entry->dimension != 0 && dimension != 0 && entry->dimension != dimension) continue;
     if (!entry->tag.empty() && !tag_matches(*entry, schema, table)) continue;
     keys.push_back(entry->key);
   }
@@ -57,6 +57,13 @@ std::vector<std::string> available_keys(const SchemaBase& schema, const Value& t
 }
 
 std::string expected_form(const Entry& entry) {
+  if (entry.kind == EntryKind::table && entry.nested().text_shorthand().empty()) {
+    std::vector<std::string> keys;
+    for (const auto& inner : entry.nested().entries()) {
+      if (inner->required && inner->tag.empty()) keys.push_back(inner->key + " = ...");
+    }
+    return entry.key + " = { " + join(keys) + " }";
+  }
   if (entry.kind == EntryKind::named) return "[" + entry.key + ".NAME]";
   return entry.key + " = ...";
 }
@@ -94,7 +101,8 @@ void SchemaReader::unknown_keys(const Value& table, const std::string& path,
 
 bool SchemaReader::available(const Entry& entry, Scope& scope) {
   const Value* value = scope.table.find(entry.key);
-  if (entry.dimension != 0 && entry.dimension != context_.dimension) {
+  const bool known = context_.dimension != 0;
+  if (entry.dimension != 0 && known && entry.dimension != context_.dimension) {
     if (value) {
       report(*value, child_path(scope.path, entry.key),
              "is not available with domain.dimension = " + std::to_string(context_.dimension), "",
@@ -150,9 +158,16 @@ bool SchemaReader::read_entry(const Entry& entry, Scope& scope) {
   return problems_.size() == before;
 }
 
-void SchemaReader::run_checks(const SchemaBase& schema, const Scope& scope) {
+void SchemaReader::run_checks(const SchemaBase& schema, const Scope& scope, bool all_right) {
+  if (context_.dimension == 0) return;
+  const auto right = [&](const std::string& key) {
+    return !problems_.any_under(child_path(scope.path, key));
+  };
   for (const auto& check : schema.checks()) {
-    const std::optional<Finding> finding = check(scope.spec, context_);
+    const auto& keys = check.keys;
+    const bool ready = keys.empty() ? all_right : std::all_of(keys.begin(), keys.end(), right);
+    const std::optional<Finding> finding =
+        ready ? check.test(scope.spec, context_) : std::optional<Finding>();
     if (!finding) continue;
     const Value* value = scope.table.find(finding->key);
     const std::string path =
@@ -190,7 +205,7 @@ bool SchemaReader::read(const SchemaBase& schema, void* spec, const Value& value
   Scope scope{schema, spec, value, path};
   for (const auto& entry : schema.entries()) read_entry(*entry, scope);
   check_keys(scope, elsewhere);
-  if (problems_.size() == before) run_checks(schema, scope);
+  run_checks(schema, scope, problems_.size() == before);
   return problems_.size() == before;
 }
 

@@ -7,29 +7,6 @@
 namespace scree {
 namespace {
 
-/// "above 0 and at most 0.5 (dimensionless)", "at least 0 Pa"; angles in degrees.
-std::string range_text(const Entry& entry) {
-  const auto bound = [&](double x) {
-    if (entry.unit == Unit::angle) {
-      const double degrees = x * 180 / std::acos(-1.0);
-      std::string text = toml_number(std::round(degrees * 1e6) / 1e6);
-      if (text.ends_with(".0")) text.resize(text.size() - 2);
-      return text + " deg";
-    }
-    std::string text = toml_number(x);
-    if (text.ends_with(".0")) text.resize(text.size() - 2);
-    const std::string symbol = unit_symbol(entry.unit);
-    return symbol.empty() ? text : text + " " + symbol;
-  };
-  std::string text;
-  if (entry.lower) text = (entry.lower_open ? "above " : "at least ") + bound(*entry.lower);
-  if (entry.upper) {
-    if (!text.empty()) text += " and ";
-    text += (entry.upper_open ? "below " : "at most ") + bound(*entry.upper);
-  }
-  return text;
-}
-
 std::string number_form(const Entry& entry) {
   const std::string symbol = unit_symbol(entry.unit);
   if (symbol.empty()) return "a number";
@@ -64,6 +41,28 @@ std::string dimension_repair(const Entry& entry, const Quantity& quantity) {
 
 }  // namespace
 
+std::string range_text(const Entry& entry) {
+  const auto bound = [&](double x) {
+    if (entry.unit == Unit::angle) {
+      const double degrees = x * 180 / std::acos(-1.0);
+      std::string text = toml_number(std::round(degrees * 1e6) / 1e6);
+      if (text.ends_with(".0")) text.resize(text.size() - 2);
+      return text + " deg";
+    }
+    std::string text = toml_number(x);
+    if (text.ends_with(".0")) text.resize(text.size() - 2);
+    const std::string symbol = unit_symbol(entry.unit);
+    return symbol.empty() ? text : text + " " + symbol;
+  };
+  std::string text;
+  if (entry.lower) text = (entry.lower_open ? "above " : "at least ") + bound(*entry.lower);
+  if (entry.upper) {
+    if (!text.empty()) text += " and ";
+    text += (entry.upper_open ? "below " : "at most ") + bound(*entry.upper);
+  }
+  return text;
+}
+
 bool SchemaReader::in_range(const Entry& entry, double x, const Value& value,
                             const std::string& path, bool has_unit) {
   const bool low = entry.lower && (entry.lower_open ? x <= *entry.lower : x < *entry.lower);
@@ -78,42 +77,46 @@ bool SchemaReader::in_range(const Entry& entry, double x, const Value& value,
   return false;
 }
 
+bool SchemaReader::quantity(const Entry& entry, const Value& value, const std::string& path,
+                            Quantity& result) {
+  const auto parsed = parse_quantity(value.text);
+  if (!parsed) {
+    report(value, path, "is not a number with a unit", number_form(entry));
+    return false;
+  }
+  if (!parsed->unknown_unit.empty()) {
+    const std::string near = did_you_mean(parsed->unknown_unit, example_units(entry.unit));
+    report(value, path, "has the unknown unit \"" + parsed->unknown_unit + "\"",
+           unit_examples(entry.unit), near.empty() ? "" : "did you mean \"" + near + "\"?");
+    return false;
+  }
+  if (parsed->has_unit && parsed->dimension != dimension_of(entry.unit)) {
+    const std::string quantity_name = unit_quantity(entry.unit);
+    report(value, path, "has a unit that is not of a " + quantity_name, unit_examples(entry.unit),
+           dimension_repair(entry, *parsed));
+    return false;
+  }
+  result = *parsed;
+  return true;
+}
+
 bool SchemaReader::number(const Entry& entry, const Value& value, const std::string& path,
                           double& result) {
-  bool has_unit = false;
-  double x = 0;
+  Quantity read;
   if (value.is_number()) {
-    x = value.number();
+    read.value = value.number();
   } else if (value.is(Value::Kind::text)) {
-    const auto quantity = parse_quantity(value.text);
-    if (!quantity) {
-      report(value, path, "is not a number with a unit", number_form(entry));
-      return false;
-    }
-    if (!quantity->unknown_unit.empty()) {
-      const std::string near = did_you_mean(quantity->unknown_unit, example_units(entry.unit));
-      report(value, path, "has the unknown unit \"" + quantity->unknown_unit + "\"",
-             unit_examples(entry.unit), near.empty() ? "" : "did you mean \"" + near + "\"?");
-      return false;
-    }
-    has_unit = quantity->has_unit;
-    if (has_unit && quantity->dimension != dimension_of(entry.unit)) {
-      const std::string quantity_name = unit_quantity(entry.unit);
-      report(value, path, "has a unit that is not of a " + quantity_name, unit_examples(entry.unit),
-             dimension_repair(entry, *quantity));
-      return false;
-    }
-    x = quantity->value;
+    if (!quantity(entry, value, path, read)) return false;
   } else {
     report(value, path, "is " + kind_name(value.kind) + ", must be a number", number_form(entry));
     return false;
   }
-  if (!std::isfinite(x)) {
+  if (!std::isfinite(read.value)) {
     report(value, path, "is not finite", range_text(entry), "write a finite number");
     return false;
   }
-  if (!in_range(entry, x, value, path, has_unit)) return false;
-  result = x;
+  if (!in_range(entry, read.value, value, path, read.has_unit)) return false;
+  result = read.value;
   return true;
 }
 
@@ -189,28 +192,34 @@ int SchemaReader::choice(const Entry& entry, const Value& value, const std::stri
   return -1;
 }
 
+bool SchemaReader::has_length(const Entry& entry, const Value& value, const std::string& path,
+                              const std::string& what) {
+  const int length = entry.length == 0 ? context_.dimension : entry.length;
+  const auto found = static_cast<int>(value.items.size());
+  const bool array = value.is(Value::Kind::array);
+  // A faulty domain.dimension is reported alone: vectors of both lengths may be right.
+  if (length == 0 && array && (found == 2 || found == 3)) return true;
+  if (array && found == length) return true;
+  const std::string wanted = length == 0 ? std::string("2 or 3") : std::to_string(length);
+  const std::string source = entry.length == 0 ? " (domain.dimension)" : "";
+  std::string repair;
+  if (array && source.size() > 0 && length == 2 && found == 3) {
+    repair = "remove the third entry, or set domain.dimension = 3";
+  }
+  report(value, path,
+         array ? "has " + std::to_string(found) + " entries"
+               : "is " + kind_name(value.kind) + ", must be an array",
+         wanted + " " + what + source, repair);
+  return false;
+}
+
 bool SchemaReader::vector(const Entry& entry, const Value& value, const std::string& path,
                           double* result) {
-  const int length = entry.length == 0 ? context_.dimension : entry.length;
-  const std::string wanted = std::to_string(length);
-  if (!value.is(Value::Kind::array)) {
-    report(value, path, "is " + kind_name(value.kind) + ", must be an array", wanted + " numbers");
-    return false;
-  }
-  if (static_cast<int>(value.items.size()) != length) {
-    const bool by_dimension = entry.length == 0;
-    report(value, path, "has " + std::to_string(value.items.size()) + " entries",
-           wanted + (by_dimension ? " (domain.dimension)" : ""),
-           by_dimension && length == 2 && value.items.size() == 3
-               ? "remove the third entry, or set domain.dimension = 3"
-               : "give " + wanted + " entries");
-    return false;
-  }
+  if (!has_length(entry, value, path, "numbers")) return false;
   double read[3] = {0, 0, 0};
   bool good = true;
-  for (int i = 0; i < length; ++i) {
-    const auto& item = value.items[static_cast<std::size_t>(i)];
-    good = number(entry, item, path + "[" + std::to_string(i) + "]", read[i]) && good;
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    good = number(entry, value.items[i], path + "[" + std::to_string(i) + "]", read[i]) && good;
   }
   if (!good) return false;
   for (int i = 0; i < 3; ++i) result[i] = read[i];
@@ -239,20 +248,10 @@ bool SchemaReader::formula(const Entry& entry, const Value& value, const std::st
 
 bool SchemaReader::formulas(const Entry& entry, const Value& value, const std::string& path,
                             Formula* result) {
-  const int length = entry.length == 0 ? context_.dimension : entry.length;
-  if (!value.is(Value::Kind::array) || static_cast<int>(value.items.size()) != length) {
-    const std::string found = value.is(Value::Kind::array)
-                                  ? "has " + std::to_string(value.items.size()) + " entries"
-                                  : "is " + kind_name(value.kind) + ", must be an array";
-    report(value, path, found,
-           std::to_string(length) + " numbers or expressions (domain.dimension)",
-           length == 2 ? "remove the third entry, or set domain.dimension = 3" : "");
-    return false;
-  }
+  if (!has_length(entry, value, path, "numbers or expressions")) return false;
   bool good = true;
-  for (int i = 0; i < length; ++i) {
-    const auto& item = value.items[static_cast<std::size_t>(i)];
-    good = formula(entry, item, path + "[" + std::to_string(i) + "]", result[i]) && good;
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    good = formula(entry, value.items[i], path + "[" + std::to_string(i) + "]", result[i]) && good;
   }
   return good;
 }

@@ -18,8 +18,11 @@ SchemaContext context_of(const Value& document) {
   context.formula_fault = &Expression::fault;
   const Value* domain = document.find("domain");
   const Value* dimension = domain ? domain->find("dimension") : nullptr;
-  const bool plane = dimension && dimension->is_number() && dimension->number() == 2;
-  context.dimension = plane ? 2 : 3;
+  context.dimension = 0;
+  for (const int possible : {2, 3}) {
+    const bool integer = dimension && dimension->is(Value::Kind::integer);
+    if (integer && dimension->integer == possible) context.dimension = possible;
+  }
   const Value* method = document.find("method");
   const Value* kernel = method ? method->find("kernel") : nullptr;
   if (kernel && kernel->is(Value::Kind::text)) context.kernel = kernel->text;

@@ -84,6 +84,12 @@ std::string repair_for(const std::string& message, const Drawing& place) {
   if (contains(message, "invalid key") && rest.empty() && contains(place.text, "{")) {
     return "a table in braces must stand on one line";
   }
+  if (contains(message, "invalid key") && rest.rfind("[", 0) == 0) {
+    return "write a table's header as [name]";
+  }
+  if (contains(message, "array separator")) {
+    return "close the array that begins here with ], and separate its entries by commas";
+  }
   if (contains(message, "unknown value")) {
     return "texts go in quotes; booleans are true and false";
   }
@@ -118,7 +124,9 @@ Problem syntax_problem(const std::string& message,
   }
   problem.message = "is no TOML: " + headline;
   const Drawing& last = report.places.back();
-  if (!last.comment.empty() && last.comment != "here") problem.message += " (" + last.comment + ")";
+  std::string comment = last.comment;
+  while (!comment.empty() && comment.back() == '.') comment.pop_back();
+  if (!comment.empty() && comment != "here") problem.message += " (" + comment + ")";
   problem.repair = repair_for(headline, place);
   return problem;
 }

@@ -73,10 +73,11 @@ Schema<DomainSpec> make_domain_schema() {
       .above(0)
       .doc("Edge of the square or cubic cells.");
   for (int axis = 0; axis < 3; ++axis) {
-    s.check([axis](const DomainSpec& domain, const SchemaContext&) -> std::optional<Finding> {
-      if (axis >= domain.dimension) return std::nullopt;
-      return extent_fault(domain, axis);
-    });
+    s.check({"dimension", "lower", "upper", "cell_size"},
+            [axis](const DomainSpec& domain, const SchemaContext&) -> std::optional<Finding> {
+              if (axis >= domain.dimension) return std::nullopt;
+              return extent_fault(domain, axis);
+            });
   }
   return s;
 }
@@ -162,15 +163,17 @@ Schema<MethodSpec> make_method_schema() {
       .fallback(0.95)
       .doc("Share of flip; the rest is pic.");
   add_loads(s);
-  s.check([](const MethodSpec& method, const SchemaContext&) -> std::optional<Finding> {
-    const bool affine =
-        method.transfer == TransferType::mls || method.transfer == TransferType::apic;
-    if (method.kernel != KernelType::linear || !affine) return std::nullopt;
-    return Finding{"kernel",
-                   "the linear kernel cannot be combined with transfer mls or apic, because its "
-                   "matrix D is singular where a particle meets a node",
-                   "compact, quadratic", "or set transfer = \"flip\" or \"pic\""};
-  });
+  s.check({"kernel", "transfer"},
+          [](const MethodSpec& method, const SchemaContext&) -> std::optional<Finding> {
+            const bool affine =
+                method.transfer == TransferType::mls || method.transfer == TransferType::apic;
+            if (method.kernel != KernelType::linear || !affine) return std::nullopt;
+            return Finding{
+                "kernel",
+                "the linear kernel cannot be combined with transfer mls or apic, because its "
+                "matrix D is singular where a particle meets a node",
+                "compact, quadratic", "or set transfer = \"flip\" or \"pic\""};
+          });
   s.cite(
       "M. Liu, X. Wang, M. Li, CK-MPM: A Compact-Kernel Material Point Method, ACM TOG 44(4), "
       "2025, doi 10.1145/3731155");

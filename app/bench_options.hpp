@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace scree {
+
+/// The command line of `scree bench`.
+struct BenchOptions {
+  std::string case_name = "elastic";   ///< elastic, sand, fluid
+  std::int64_t particles = 1'000'000;  ///< about; 8 a cell
+  int steps = 0;                       ///< timed steps; 0: as many as a good measurement needs
+  std::string precision = "double";    ///< double, single
+  std::string kernel = "compact";      ///< compact, quadratic
+  std::string path = "fused";          ///< fused, split
+  int threads = 0;                     ///< 0: all cores
+  std::string backend = "cpu";         ///< cpu, cuda
+  bool json = false;
+};
+
+}  // namespace scree

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "app/bench_command.hpp"
+#include "app/check_command.hpp"
+#include "app/describe_command.hpp"
+#include "app/info_command.hpp"
+#include "app/run_command.hpp"
+#include "generated/build_info.hpp"
+#include "solver/base/error.hpp"
+#include "solver/base/problems.hpp"
+#include "solver/base/units.hpp"
+
+namespace scree {
+namespace {
+
+constexpr int user_error = 2;
+
+/// Everything the command line can say.
+struct CommandLine {
+  CLI::App app{"scree: material point method for geomechanics", "scree"};
+  std::function<int()> action;
+  RunOptions run;
+  CheckOptions check;
+  DescribeOptions describe;
+  BenchOptions bench;
+  std::string until;
+};
+
+/// A time of an option: seconds, or a number with a unit.
+double parse_time(const std::string& option, const std::string& text) {
+  const auto quantity = parse_quantity(text);
+  const bool good = quantity && quantity->unknown_unit.empty() && quantity->value >= 0 &&
+                    (!quantity->has_unit || quantity->dimension == dimension_of(Unit::time));
+  if (!good) {
+    throw UserError(option + " " + text + ": must be a time in seconds, e.g. 0.5 or \"500 ms\"");
+  }
+  return quantity->value;
+}
+
+void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "Put another value in place of the deck's (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+void add_run(CommandLine& line) {
+  CLI::App& run = *line.app.add_subcommand("run", "Run a deck");
+  RunOptions& options = line.run;
+  run.add_option("deck", options.deck, "Input deck (TOML)")->required()->type_name("DECK");
+  run.add_option("-o,--output", options.output, "Run folder (default: runs/<deck name>)")
+      ->type_name("DIR");
+  add_overrides(run, options.overrides);
+  run.add_option("--backend", options.backend, "Where to compute (default: auto)")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->type_name("auto|cpu|cuda");
+  run.add_option("--threads", options.threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  run.add_option("--until", line.until, "Stop after the first step at or past this time")
+      ->type_name("T");
+  run.add_option("--max-steps", options.max_steps, "Stop after this many steps")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  auto* resume = run.add_flag("--resume", options.resume, "Continue from the run's checkpoint");
+  run.add_flag("--overwrite", options.overwrite, "Replace an existing run")->excludes(resume);
+  run.add_flag("--quiet", options.quiet, "Print errors only");
+  run.callback([&line] {
+    line.action = [&line] {
+      if (!line.until.empty()) line.run.until = parse_time("--until", line.until);
+      return run_command(line.run);
+    };
+  });
+}
+
+void add_check(CommandLine& line) {
+  CLI::App& check = *line.app.add_subcommand("check", "Check a deck and predict the effort");
+  check.add_option("deck", line.check.deck, "Input deck (TOML)")->required()->type_name("DECK");
+  add_overrides(check, line.check.overrides);
+  check.add_option("--threads", line.check.threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  check.callback([&line] { line.action = [&line] { return check_command(line.check); }; });
+}
+
+void add_describe(CommandLine& line) {
+  CLI::App& describe = *line.app.add_subcommand("describe", "Print the reference of the deck");
+  describe.add_option("topic", line.describe.topic, "A table, key or model; all when left out")
+      ->type_name("TOPIC");
+  auto* markdown = describe.add_flag("--markdown", line.describe.markdown, "As Markdown");
+  describe.add_flag("--json-schema", line.describe.json_schema, "As a JSON schema of decks")
+      ->excludes(markdown);
+  describe.callback([&line] { line.action = [&line] { return describe_command(line.describe); }; });
+}
+
+void add_bench(CommandLine& line) {
+  CLI::App& bench = *line.app.add_subcommand("bench", "Measure particle updates per second");
+  BenchOptions& options = line.bench;
+  const auto choice = [&bench](const char* name, std::string& target,
+                               const std::vector<std::string>& names, const char* doc) {
+    bench.add_option(name, target, std::string(doc) + " (default: " + target + ")")
+        ->check(CLI::IsMember(names))
+        ->type_name(join(names, "|"));
+  };
+  choice("--case", options.case_name, {"elastic", "sand", "fluid"}, "What to simulate");
+  bench.add_option("--particles", options.particles, "About how many (default: 1000000)")
+      ->check(CLI::Range(std::int64_t{8}, std::int64_t{4'000'000'000}))
+      ->type_name("N");
+  bench.add_option("--steps", options.steps, "Timed steps (default: enough to measure well)")
+      ->check(CLI::Range(1, 1'000'000'000))
+      ->type_name("N");
+  choice("--precision", options.precision, {"double", "single"}, "Floating-point type");
+  choice("--kernel", options.kernel, {"compact", "quadratic"}, "Interpolation kernel");
+  choice("--path", options.path, {"fused", "split"}, "How a step is computed");
+  bench.add_option("--threads", options.threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  choice("--backend", options.backend, {"cpu", "cuda"}, "Where to compute");
+  bench.add_flag("--json", options.json, "Print one JSON object and nothing else");
+  bench.callback([&line] { line.action = [&line] { return bench_command(line.bench); }; });
+}
+
+void build(CommandLine& line) {
+  line.app.require_subcommand(1);
+  line.app.set_version_flag("--version", std::string("scree ") + build_info::version);
+  line.app.failure_message(CLI::FailureMessage::simple);
+  add_run(line);
+  add_check(line);
+  add_describe(line);
+  line.app.add_subcommand("info", "Print version, build, backends and libraries")
+      ->callback([&line] { line.action = [] { return info_command(); }; });
+  add_bench(line);
+  line.app.footer(
+      "scree COMMAND --help explains a command. Begin with\n"
+      "  scree run inputs/tutorial/sand_column_2d.toml");
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+int complain(const std::string& message) {
+  std::fprintf(stderr, "scree: %s\n", message.c_str());
+  return user_error;
+}
+
+/// The first word that is neither a command nor an option of scree itself, or nothing wrong.
+int check_command_word(const CLI::App& app, const std::string& word) {
+  const auto names = command_names(app);
+  for (const std::string& name : names) {
+    if (word == name) return 0;
+  }
+  for (const char* later : {"element", "verify", "post"}) {
+    if (word == later) {
+      return complain("the command \"" + word +
+                      "\" is not available in this version; commands: " + join(names));
+    }
+  }
+  const std::string near = did_you_mean(word, names);
+  return complain("unknown command \"" + word + "\"; commands: " + join(names) +
+                  (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+}
+
+/// The options of a command, as the user writes them.
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+/// One sentence about a wrong command line.
+int complain_about(const CLI::ParseError& error, const CLI::App& app,
+                   const std::vector<std::string>& words) {
+  const CLI::App* command = &app;
+  if (!app.get_subcommands().empty()) command = app.get_subcommands().front();
+  const std::string name = command == &app ? "scree" : "scree " + command->get_name();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const auto names = option_names(*command);
+    for (const std::string& word : words) {
+      const std::string option = word.substr(0, word.find('='));
+      if (option.rfind("-", 0) != 0 || command->get_option_no_throw(option) != nullptr) continue;
+      const std::string near = did_you_mean(option, names);
+      return complain("unknown option " + option + " of " + name + "; options: " + join(names) +
+                      (near.empty() ? "" : "; did you mean " + near + "?"));
+    }
+  }
+  return complain(std::string(error.what()) + "; see " + name + " --help");
+}
+
+/// Runs the command and turns exceptions into sentences and exit states.
+int guarded(const std::function<int()>& action) {
+  try {
+    return action();
+  } catch (const UserError& error) {
+    return complain(error.what());
+  } catch (const RunFault& fault) {
+    complain(fault.what());
+  } catch (const std::bad_alloc&) {
+    complain("not enough memory; coarsen domain.cell_size or particles_per_direction");
+  } catch (const std::exception& error) {
+    complain(std::string("internal error: ") + error.what());
+  }
+  return 1;
+}
+
+}  // namespace
+
+int scree_main(int argc, const char* const* argv) {
+  CommandLine line;
+  build(line);
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty()) {
+    std::cerr << line.app.help();
+    return user_error;
+  }
+  if (words[0].rfind("-", 0) != 0) {
+    if (const int status = check_command_word(line.app, words[0])) return status;
+  }
+  try {
+    line.app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help, --version
+    return line.app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    return complain_about(error, line.app, words);
+  }
+  return guarded(line.action);
+}
+
+}  // namespace scree

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/reference.hpp"
+
+#include <algorithm>
+
+#include "solver/deck/deck.hpp"
+
+namespace scree {
+namespace {
+
+std::string with_unit(const std::string& text, Unit unit) {
+  const std::string symbol = unit_symbol(unit);
+  return symbol.empty() ? text : text + " [" + symbol + "]";
+}
+
+std::string count_of(const Entry& entry) {
+  return entry.length == 0 ? "d" : std::to_string(entry.length);
+}
+
+}  // namespace
+
+Reference::Reference() { collect(deck_schema(), "", false); }
+
+void Reference::collect(const SchemaBase& schema, const std::string& place, bool model) {
+  for (ReferenceSection& section : sections_) {
+    if (section.schema != &schema) continue;
+    section.places.push_back(place);
+    return;  // nests were collected at the first place
+  }
+  sections_.push_back({&schema, {place}, model});
+  collect_nested(schema, place);
+}
+
+void Reference::collect_nested(const SchemaBase& schema, const std::string& place) {
+  for (const auto& entry : schema.entries()) {
+    if (!entry->nested) continue;
+    // A key of the top level is a table of the file; deeper ones are written in braces.
+    std::string inner = place.empty() ? "[" + entry->key + "]" : place + " " + entry->key;
+    if (entry->kind == EntryKind::named) inner = "[" + entry->key + ".NAME]";
+    if (&entry->nested() == &schema) continue;
+    collect(entry->nested(), inner, false);
+    if (!entry->variants) continue;
+    for (const SchemaBase* variant : entry->variants()) {
+      collect(*variant, inner + " model = \"" + variant->name() + "\"", true);
+    }
+  }
+}
+
+std::vector<const ReferenceSection*> Reference::find(const std::string& topic) const {
+  std::vector<const ReferenceSection*> result;
+  for (const ReferenceSection& section : sections_) {
+    if (section.schema->name() == topic) result.push_back(&section);
+  }
+  if (!result.empty()) return result;
+  // A key, perhaps with the tables it stands in: the last word counts.
+  const std::string key = topic.substr(topic.find_last_of('.') + 1);
+  for (const ReferenceSection& section : sections_) {
+    const bool named = section.schema->name() == key || section.schema->find(key) != nullptr;
+    if (named) result.push_back(&section);
+  }
+  return result;
+}
+
+std::vector<std::string> Reference::topics() const {
+  std::vector<std::string> names;
+  for (const ReferenceSection& section : sections_) names.push_back(section.schema->name());
+  return names;
+}
+
+std::string value_form(const Entry& entry) {
+  std::string text;
+  switch (entry.kind) {
+    case EntryKind::number:
+      text = with_unit("number", entry.unit);
+      break;
+    case EntryKind::integer:
+      text = "integer";
+      break;
+    case EntryKind::flag:
+      return "true, false";
+    case EntryKind::text:
+      return entry.choices.empty() ? "text" : join(entry.choices);
+    case EntryKind::texts:
+      return "array of texts";
+    case EntryKind::choice:
+      return join(entry.choices);
+    case EntryKind::vector:
+      text = with_unit(count_of(entry) + " numbers", entry.unit);
+      break;
+    case EntryKind::formula:
+      text = with_unit("number or expression of " + join(entry.variables), entry.unit);
+      break;
+    case EntryKind::formulas:
+      text = with_unit(count_of(entry) + " numbers or expressions of " + join(entry.variables),
+                       entry.unit);
+      break;
+    case EntryKind::points:
+      return "array of [x, y] [m]";
+    case EntryKind::table:
+      return "table: see " + entry.nested().name();
+    case EntryKind::list:
+      return "array of tables: see " + entry.nested().name();
+    case EntryKind::named:
+      return "tables [" + entry.key + ".NAME]: see " + entry.nested().name();
+  }
+  const std::string range = range_text(entry);
+  return range.empty() ? text : text + ", " + range;
+}
+
+std::string default_form(const Entry& entry) {
+  return entry.required ? "required" : entry.fallback_text;
+}
+
+std::string condition_form(const Entry& entry) {
+  std::vector<std::string> parts;
+  if (!entry.tag.empty()) parts.push_back(entry.tag + " = " + join(entry.tag_values, " or "));
+  if (entry.dimension != 0) parts.push_back("only in " + std::to_string(entry.dimension) + "D");
+  return join(parts, ", ");
+}
+
+}  // namespace scree
