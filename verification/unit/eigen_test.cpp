@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "verification/unit/lanes_testing.hpp"
+#include "verification/support/lanes_testing.hpp"
 
 namespace scree {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "verification/unit/lanes_testing.hpp"
+#include "verification/support/lanes_testing.hpp"
 
 namespace scree {
 namespace {
