@@ -15,7 +15,9 @@ class MemoryArchive : public StateWriter, public StateReader {
   std::string text(const std::string& name) const override;
 
   /// True if both hold the same names, types and bits.
-  friend bool operator==(const MemoryArchive&, const MemoryArchive&) = default;
+  friend bool operator==(const MemoryArchive& a, const MemoryArchive& b) {
+    return a.entries_ == b.entries_;
+  }
 
  protected:
   void put_array(const std::string& name, ElementType type, const void* values,

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Motions with exact answers: free fall, rigid translation, rigid rotation (case V06), periodic
+// faces.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verification/reference/closed_forms.hpp"
+#include "verification/support/scene.hpp"
+
+namespace scree::testing {
+namespace {
+
+class motion : public ::testing::TestWithParam<Method> {};
+
+TEST_P(motion, free_fall) {
+  for (int dimension : {2, 3}) {
+    for (int side : {1, 4}) {  // one particle, and a block of 4^d
+      SimulationSetup setup = make_setup(dimension, GetParam(), 0.25, {20, 40, 20});
+      const double g[3] = {0.4, -9.81, dimension == 3 ? 1.5 : 0.0};
+      setup.gravity = [g](double) { return std::array<double, 3>{g[0], g[1], g[2]}; };
+      const Vector lower(2.03, 8.01, 2.07), v0(0.7, 1.1, dimension == 3 ? -0.3 : 0.0);
+      const auto points = lattice(lower, lower + Vector::Constant(side * 0.125), 0.125, dimension);
+      set_velocity(add_jelly(setup, points, 0.125, {}), v0);
+      const int steps = 100;
+      const double dt = 4e-3;
+      set_steps(setup, steps, dt);
+      const Schedule schedule = setup.schedule;
+      const auto simulation = Simulation::create(std::move(setup));
+      run(*simulation, schedule);
+      const State state = state_of(*simulation);
+      ASSERT_EQ(state.x.size(), points.size());
+      for (std::size_t p = 0; p < points.size(); ++p) {
+        for (int a = 0; a < dimension; ++a) {
+          const reference::Fall fall = reference::symplectic_euler_fall(steps, dt, g[a], v0[a]);
+          EXPECT_NEAR(state.x[p][a], points[p][a] + fall.position, 1e-12);
+          EXPECT_NEAR(state.v[p][a], fall.velocity, 1e-12);
+        }
+        EXPECT_LT((state.F[p] - Matrix::Identity()).norm(), 1e-13);
+      }
+    }
+  }
+}
+
+/// A stress-free block at v = (0.37, 0.21, 0.11) m/s through 20 cells.
+TEST_P(motion, translation_leaves_no_stress_and_no_distortion) {
+  const double dx = 0.05;
+  const Jelly jelly{4000, 0.3, 1000};
+  for (int dimension : {2, 3}) {
+    SimulationSetup setup = make_setup(dimension, GetParam(), dx, {32, 24, 20});
+    const Vector lower(0.21, 0.23, 0.22), v(0.37, 0.21, dimension == 3 ? 0.11 : 0.0);
+    const auto points = lattice(lower, lower + Vector::Constant(3 * dx), dx / 2, dimension);
+    set_velocity(add_jelly(setup, points, dx / 2, jelly), v);
+    const double end = 20 * dx / v[0];
+    setup.schedule = Schedule(end, 0, 0, 0);
+    const Schedule schedule = setup.schedule;
+    const auto simulation = Simulation::create(std::move(setup));
+    run(*simulation, schedule);
+    const auto snapshot = simulation->particles({"stress"});
+    for (double s : field(snapshot, "stress").values) EXPECT_LT(std::abs(s), 1e-9 * 4000);
+    const State state = state_of(*simulation);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      EXPECT_LT((state.x[p] - points[p] - end * v).norm(), 1e-10 * dx + 1e-12);
+  }
+}
+
+/// A block that crosses a periodic face moves as in an endless domain.
+TEST_P(motion, periodic_face_is_invisible) {
+  const double dx = 0.1, length = 8 * dx;
+  const Matrix L = (Matrix() << 0.3, -1.0, 0, 0.8, -0.4, 0, 0, 0, 0).finished();
+  State states[2];
+  for (bool periodic : {false, true}) {
+    SimulationSetup setup = make_setup(2, GetParam(), dx, {periodic ? 8 : 24, 8, 1});
+    if (periodic) setup.faces[0] = {FaceType::periodic, FaceType::periodic};
+    const Vector lower(0.35, 0.26, 0), upper(0.65, 0.56, 0);
+    const auto points = lattice(lower, upper, dx / 3, 2);
+    set_velocity(add_jelly(setup, points, dx / 3, {}), Vector(3, 0.1, 0), L, 0.5 * (lower + upper));
+    set_steps(setup, 300, 1e-3);
+    const Schedule schedule = setup.schedule;
+    const auto simulation = Simulation::create(std::move(setup));
+    run(*simulation, schedule);
+    states[periodic] = state_of(*simulation);
+  }
+  ASSERT_EQ(states[0].x.size(), states[1].x.size());
+  EXPECT_GT(states[0].x[0][0], length);
+  for (std::size_t p = 0; p < states[0].x.size(); ++p) {
+    Vector difference = states[0].x[p] - states[1].x[p];
+    difference[0] = std::remainder(difference[0], length);
+    EXPECT_LT(difference.norm(), 1e-10);
+    EXPECT_GE(states[1].x[p][0], 0);
+    EXPECT_LE(states[1].x[p][0], length);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(methods, motion, ::testing::ValuesIn(all_methods()),
+                         [](const auto& info) { return to_string(info.param); });
+
+/// A stiff square of 16 cells spins once. Its corners stretch by omega^2 R^2/(2 c^2) at most.
+void spin(const Method& method, double kinetic_share) {
+  const double dx = 1.0 / 16, omega = 2 * std::numbers::pi;
+  const Jelly jelly{1e6, 0.3, 1000};
+  SimulationSetup setup = make_setup(2, method, dx, {32, 32, 1});
+  const Vector center(1.01, 0.98, 0), half(0.5, 0.5, 0);
+  const auto points = lattice(center - half, center + half, dx / 2, 2);
+  Matrix rotation = Matrix::Zero();
+  rotation(0, 1) = -omega;
+  rotation(1, 0) = omega;
+  set_velocity(add_jelly(setup, points, dx / 2, jelly), Vector::Zero(), rotation, center);
+  setup.schedule = Schedule(1.0, 0.05, 0, 0);
+  const Schedule schedule = setup.schedule;
+  const auto simulation = Simulation::create(std::move(setup));
+  const auto rows = run_with_history(*simulation, schedule);
+  // sum over lattice points of m r^2 omega; the affine part adds m omega tr D.
+  EXPECT_NEAR(rows[0].angular_momentum[2] / (1000 * omega / 6), 1, 0.02);
+  for (const HistoryRow& row : rows)
+    EXPECT_NEAR(row.angular_momentum[2] / rows[0].angular_momentum[2], 1, 1e-11);
+  EXPECT_GT(rows.back().kinetic_energy / rows[0].kinetic_energy, kinetic_share);
+  EXPECT_LT(rows.back().kinetic_energy / rows[0].kinetic_energy, 1.001);
+  const double R = std::sqrt(0.5), c = jelly.wave_speed();
+  const State state = state_of(*simulation);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const double before = (points[p] - center).norm(), after = (state.x[p] - center).norm();
+    EXPECT_LT(after - before, R * (omega * omega * R * R / (2 * c * c) + 0.005));
+  }
+}
+
+TEST(rotation, square_keeps_its_spin) {
+  for (KernelType kernel : {KernelType::compact, KernelType::quadratic}) {
+    spin({kernel, TransferType::mls, PathType::fused, Precision::double_}, 0.99);
+    spin({kernel, TransferType::apic, PathType::split, Precision::double_}, 0.99);
+  }
+}
+
+}  // namespace
+}  // namespace scree::testing
