@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` puts where, beside the program: example decks and documents.
+# What `cmake --install` puts where, beside the program: the picture tool (as scree-render), example decks and documents.
+
+if(EXISTS "${CMAKE_SOURCE_DIR}/postproc/render")
+  install(PROGRAMS "${CMAKE_SOURCE_DIR}/postproc/render" TYPE BIN RENAME scree-render)
+endif()
 
 foreach(folder inputs docs)
   if(IS_DIRECTORY "${CMAKE_SOURCE_DIR}/${folder}")
