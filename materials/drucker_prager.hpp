@@ -43,6 +43,7 @@ struct DruckerPrager {
     T dilation;         ///< a
     T consistency;      ///< 1/(1 + 9 K alpha a/(2 mu))
     T cohesion_strain;  ///< c_s = c cot phi/(3 lambda + 2 mu)
+    T flow_stiffness;  ///< 9 K^2 (alpha - a)^2/(8 mu (1 + 9 K alpha a/(2 mu))) [Pa], see wave_speed
   };
 
   template <class T>
@@ -51,13 +52,15 @@ struct DruckerPrager {
     const Match match = resolve_match(in.match, dimension);
     const auto [alpha, a] = cone_slopes(match, in.friction_angle, in.dilation_angle);
     const double three_bulk = 3 * lambda + 2 * mu;
+    const double consistency = 1 / (1 + 3 * three_bulk * alpha * a / (2 * mu));
     return {T(lambda),
             T(mu),
             T(density),
             T(three_bulk / (2 * mu) * alpha),
             T(a),
-            T(1 / (1 + 3 * three_bulk * alpha * a / (2 * mu))),
-            T(in.cohesion / std::tan(in.friction_angle) / three_bulk)};
+            T(consistency),
+            T(in.cohesion / std::tan(in.friction_angle) / three_bulk),
+            T(three_bulk * three_bulk * (alpha - a) * (alpha - a) / (8 * mu) * consistency)};
   }
 
   template <class V>
@@ -120,12 +123,16 @@ struct DruckerPrager {
                                    two_mu * strain[2] + pressure}});
   }
 
-  /// As for FixedCorotated, with tau_i = 2 mu e_i + lambda tr e, e = ln S:
-  /// a_ii = 2 mu + lambda - tau_i, a_ijij = mu y/(exp(y) - 1) with y = 2 (e_i - e_j),
-  /// a_iijj + a_ijji = lambda (1 - tr e) + mu (x coth x - e_i - e_j) with x = e_i - e_j. With |e_i|
-  /// <= e and |e_i - e_j| <= r, and x coth x <= 1 + x^2/3, the largest eigenvalue is below |lambda|
-  /// (1 + 3 e) + mu (2 + 2 e + r + 2 r^2/3). The strains are bounded by 2 ln S <= S^2 - 1 and 2 ln
-  /// S >= 1 - S^-2. Elastic tangent: plastic flow is softer.
+  /// As for FixedCorotated, with tau_i = 2 mu e_i + lambda tr e, e = ln S: a_ii = 2 mu + lambda -
+  /// tau_i, a_ijij = mu y/(exp(y) - 1) with y = 2 (e_i - e_j), and with x = e_i - e_j a_iijj +
+  /// a_ijji = lambda (1 - tr e) + mu (x coth x - e_i - e_j). For |e_i| <= e and |e_i - e_j| <= r,
+  /// since x coth x <= 1 + x^2/3, the largest eigenvalue is below |lambda| (1 + 3 e) + mu (2 + 2 e
+  /// + r + 2 r^2/3). The strains are bounded by 2 ln S <= S^2 - 1 and 2 ln S >= 1 - S^-2.
+  ///
+  /// Flow that is not associated can be stiffer than elasticity: on the cone, the work of a small
+  /// strain w with x = n : w, t = tr w changes by -(x + cone t)(2 mu x + 3 K a t) consistency, at
+  /// most flow_stiffness t^2, and |t| <= 1 for a wave. (Unloading of an oedometer at failure, K (1
+  /// + 2 M/3) against K + 4 mu/3 in elasticity, is such a case.)
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
     const V floor = broadcast<V>(detail::PolarLimits<T>::det_min);
@@ -136,7 +143,7 @@ struct DruckerPrager {
     const V stretch = T(0.5) * (upper - T(1)), squeeze = T(0.5) / lower - T(0.5);
     const V e = max(stretch, squeeze), r = stretch + squeeze;
     const V shear = T(2) + T(2) * e + r + T(2.0 / 3.0) * r * r;
-    const V stiffness = abs(p.lambda) * (T(1) + T(3) * e) + p.mu * shear;
+    const V stiffness = abs(p.lambda) * (T(1) + T(3) * e) + p.mu * shear + p.flow_stiffness;
     return sqrt(stiffness * (T(1) / p.density));
   }
 

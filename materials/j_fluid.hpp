@@ -43,8 +43,7 @@ struct JFluid {
     s.check([](const Input& in, const SchemaContext&) -> std::optional<Finding> {
       if (in.initial_j > lowest_volume_ratio(in.gamma)) return std::nullopt;
       return Finding{"initial_j", "pressure beyond all bounds",
-                     "above exp(-40/gamma) = " + std::to_string(lowest_volume_ratio(in.gamma)),
-                     "raise initial_j"};
+                     "above " + std::to_string(lowest_volume_ratio(in.gamma)), "raise initial_j"};
     });
     return s;
   }
@@ -120,9 +119,12 @@ struct JFluid {
   }
 
  private:
-  /// Where the pressure has reached e^40 B: far beyond any fluid, and still a number in single
+  /// Where the pressure has reached e^40 B, or 1e-6: beyond any fluid, and still a number in single
   /// precision.
-  static double lowest_volume_ratio(double gamma) { return std::exp(-40 / gamma); }
+  static double lowest_volume_ratio(double gamma) {
+    const double ratio = std::exp(-40 / gamma);
+    return ratio > 1e-6 ? ratio : 1e-6;
+  }
 };
 
 }  // namespace scree
