@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/check_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <thread>
+
+#include "app/build_simulation.hpp"
+#include "solver/base/error.hpp"
+#include "solver/deck/deck.hpp"
+#include "solver/particles/shape.hpp"
+
+namespace scree {
+namespace {
+
+/// Bytes that this machine can still give, from /proc/meminfo; infinite where that is not there.
+double available_memory() {
+  std::ifstream file("/proc/meminfo");
+  std::string name, unit;
+  double kibibytes = 0;
+  while (file >> name >> kibibytes) {
+    std::getline(file, unit);
+    if (name == "MemAvailable:") return 1024 * kibibytes;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Particles if every body filled its bounds: never less than there are.
+double particle_bound(const Deck& deck) {
+  double total = 0;
+  for (const BodySpec& body : deck.bodies) {
+    const Box box = make_shape(body.shape, deck.domain.dimension)->bounds();
+    double count = 1;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(deck.domain.dimension); ++a) {
+      const double spacing = deck.domain.cell_size / body.particles_per_direction;
+      count *= std::max(1.0, (box.upper[a] - box.lower[a]) / spacing);
+    }
+    total += count;
+  }
+  return total;
+}
+
+std::string bytes_text(double bytes) {
+  if (bytes < 1e9) return fmt::format("{:.1f} MB", bytes / 1e6);
+  return fmt::format("{:.2f} GB", bytes / 1e9);
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.0f} s", std::max(1.0, seconds));
+  if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+  if (seconds < 172800) return fmt::format("{:.1f} h", seconds / 3600);
+  return fmt::format("{:.1f} days", seconds / 86400);
+}
+
+void line(const std::string& name, const std::string& value) {
+  fmt::print("{:<16} {}\n", name, value);
+}
+
+/// Seconds a step, from some steps that are thrown away; at most about a second of work.
+struct Measurement {
+  double seconds_per_step = 0;
+  double dt = 0;  ///< mean step, s
+  int steps = 0;
+  std::string fault;
+};
+
+Measurement measure(Simulation& simulation, double end) {
+  using Clock = std::chrono::steady_clock;
+  constexpr int most_steps = 200, warm_up = 1;
+  constexpr double most_seconds = 1;
+  Measurement result;
+  auto start = Clock::now();
+  double begin = 0;
+  try {
+    for (int i = 0; i < most_steps + warm_up && simulation.time() < end; ++i) {
+      if (i == warm_up) {
+        start = Clock::now();
+        begin = simulation.time();
+      }
+      simulation.step();
+      if (i < warm_up) continue;
+      ++result.steps;
+      const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+      result.seconds_per_step = elapsed / result.steps;
+      result.dt = (simulation.time() - begin) / result.steps;
+      if (elapsed > most_seconds) break;
+    }
+  } catch (const RunFault& fault) {
+    result.fault = fault.what();
+  }
+  return result;
+}
+
+std::string particles_text(const SimulationSetup& setup) {
+  std::size_t total = 0;
+  std::string bodies;
+  for (const BodySetup& body : setup.bodies) {
+    const std::size_t count = body.position.size() / 3;
+    total += count;
+    bodies += fmt::format("{}{} {}", bodies.empty() ? "" : ", ", body.name, count);
+  }
+  return fmt::format("{} ({})", total, bodies);
+}
+
+int thread_count(int asked) {
+  const int cores = static_cast<int>(std::thread::hardware_concurrency());
+  return asked > 0 ? asked : std::max(1, cores);
+}
+
+void predict_effort(const Deck& deck, Simulation& simulation, int threads) {
+  const double dt = simulation.dt();
+  line("blocks", fmt::format("{} of 4^{} cells", simulation.block_count(), deck.domain.dimension));
+  line("first step", fmt::format("{:.4g} s{}", dt, deck.time.step ? " (fixed)" : ""));
+  line("memory", fmt::format("about {}", bytes_text(double(simulation.memory().total()))));
+  const Measurement measured = measure(simulation, deck.time.end);
+  // Steps shortened to hit output times make the mean a little less than the first.
+  const double mean = measured.steps > 0 ? measured.dt : dt;
+  const double steps = std::ceil(deck.time.end / mean);
+  line("steps", fmt::format("about {:.3g} to {:.6g} s", steps, deck.time.end));
+  if (!measured.fault.empty()) {
+    line("warning", "the first steps fail: " + measured.fault);
+  } else if (measured.steps > 0) {
+    line("estimated time",
+         fmt::format("about {} with {} threads (from {} steps on this machine)",
+                     duration_text(steps * measured.seconds_per_step), threads, measured.steps));
+  }
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+  Problems problems;
+  const Deck deck = read_deck(options.deck, options.overrides, problems);
+  if (!problems.empty()) {
+    fmt::print(stderr, "{}", problems.text());
+    return 2;
+  }
+  // A simulation takes less than this a particle, grid and margins included.
+  constexpr double bytes_per_particle = 600;
+  const double bound = particle_bound(deck);
+  const bool fits = bound * bytes_per_particle < 0.8 * available_memory();
+  if (!fits) {
+    fmt::print("{}: valid\n", options.deck);
+    line("particles", fmt::format("up to {:.3g}", bound));
+    line("memory", fmt::format("up to {}, more than this machine has free",
+                               bytes_text(bound * bytes_per_particle)));
+    return 0;
+  }
+  SimulationSetup setup = build_setup(deck);
+  setup.threads = thread_count(options.threads);
+  const int threads = setup.threads;
+  const std::string particles = particles_text(setup);
+  const auto simulation = Simulation::create(std::move(setup));
+  fmt::print("{}: valid\n", options.deck);
+  line("particles", particles);
+  predict_effort(deck, *simulation, threads);
+  const double frames = deck.output.format == FrameFormat::none
+                            ? 0
+                            : std::ceil(deck.time.end / deck.output.every * (1 - 1e-9)) + 1;
+  line("frames", fmt::format("{:.0f}", frames));
+  return 0;
+}
+
+}  // namespace scree

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/info_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/Version.hpp>
+#include <string>
+#include <thread>
+
+#include "generated/build_info.hpp"
+#include "materials/registry.hpp"
+#include "solver/base/problems.hpp"
+#include "solver/deck/library_versions.hpp"
+#include "solver/io/library_versions.hpp"
+
+namespace scree {
+namespace {
+
+/// The widest vector instructions that this build may use.
+const char* instruction_set() {
+#if defined(__AVX512F__)
+  return "AVX-512";
+#elif defined(__AVX2__)
+  return "AVX2";
+#elif defined(__AVX__)
+  return "AVX";
+#elif defined(__SSE4_2__)
+  return "SSE4.2";
+#elif defined(__ARM_NEON)
+  return "NEON";
+#else
+  return "baseline";
+#endif
+}
+
+std::string options_text() {
+  std::vector<std::string> options;
+#ifdef SCREE_STRICT
+  options.push_back("strict backend");
+#endif
+#ifdef SCREE_FP_TRAPS
+  options.push_back("floating-point traps");
+#endif
+#ifdef SCREE_ASSERTIONS
+  options.push_back("assertions");
+#endif
+  if (std::string(build_info::sanitize) != "") {
+    options.push_back(std::string("sanitizers ") + build_info::sanitize);
+  }
+  return options.empty() ? "none" : join(options);
+}
+
+std::string cuda_text() {
+#ifdef SCREE_CUDA
+  return "kernels compiled; runs do not use them in this version";
+#else
+  return "not in this build (configure with -DSCREE_CUDA=ON)";
+#endif
+}
+
+void line(const std::string& name, const std::string& value) {
+  fmt::print("{:<12} {}\n", name, value);
+}
+
+std::string fmt_version() {
+  return fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100);
+}
+
+}  // namespace
+
+int info_command() {
+  line("scree", build_info::version);
+  line("build", fmt::format("{}, {}, -march={} ({})", build_info::build_type, build_info::compiler,
+                            build_info::march, instruction_set()));
+  line("options", options_text());
+  std::vector<std::string> models;
+  for (const MaterialEntry& model : material_registry()) models.push_back(model.name);
+  line("materials", join(models));
+  line("backends", "cpu");
+  line("cpu", fmt::format("{} threads", std::thread::hardware_concurrency()));
+  line("cuda", cuda_text());
+  for (const auto& [name, version] : deck_library_versions()) line(name, version);
+  line("CLI11", CLI11_VERSION);
+  line("fmt", fmt_version());
+  for (const auto& [name, version] : io_library_versions()) line(name, version);
+  return 0;
+}
+
+}  // namespace scree
