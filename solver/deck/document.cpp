@@ -148,50 +148,16 @@ std::string file_fault(const std::string& path) {
   return {};
 }
 
-void merge(Value& table, Value member) {
-  if (Value* present = table.find(member.key)) {
-    *present = std::move(member);
-  } else {
-    table.items.push_back(std::move(member));
-  }
-}
-
-/// Splits at the first "=" that does not stand in quotes.
-std::size_t equals_sign(const std::string& assignment) {
-  char quote = 0;
-  for (std::size_t i = 0; i < assignment.size(); ++i) {
-    const char c = assignment[i];
-    if (quote != 0) {
-      if (c == quote) quote = 0;
-    } else if (c == '"' || c == '\'') {
-      quote = c;
-    } else if (c == '=') {
-      return i;
-    }
-  }
-  return std::string::npos;
-}
-
-/// All positions below `value` become that of the option: its name, no line.
-void relocate(Value& value, const std::shared_ptr<const std::string>& source) {
-  value.position = value.key_position = Position{source, 0, 0};
-  for (Value& item : value.items) relocate(item, source);
-}
-
-/// The dotted key as a chain of tables with one member each, e.g. a.b -> {a = {b = 0}}.
-std::optional<std::vector<std::string>> split_key(const std::string& key,
-                                                  const std::string& source) {
-  Problems ignored;
-  const auto document = parse_document(key + " = 0", source, ignored);
-  if (!document) return std::nullopt;
-  std::vector<std::string> path;
-  for (const Value* value = &*document; !value->items.empty(); value = &value->items.front()) {
-    path.push_back(value->items.front().key);
-  }
-  return path;
-}
-
 }  // namespace
+
+Problem source_problem(const std::shared_ptr<const std::string>& source, std::string message,
+                       std::string repair) {
+  Problem problem;
+  problem.where.source = source;
+  problem.message = std::move(message);
+  problem.repair = std::move(repair);
+  return problem;
+}
 
 std::optional<Value> parse_document(const std::string& text, const std::string& source,
                                     Problems& problems) {
@@ -203,10 +169,7 @@ std::optional<Value> parse_document(const std::string& text, const std::string& 
   } catch (const toml::exception& error) {
     problems.add(syntax_problem(error.what(), name));
   } catch (const std::exception& error) {
-    Problem problem;
-    problem.where.source = name;
-    problem.message = std::string("is no TOML: ") + error.what();
-    problems.add(problem);
+    problems.add(source_problem(name, std::string("is no TOML: ") + error.what()));
   }
   return std::nullopt;
 }
@@ -214,7 +177,7 @@ std::optional<Value> parse_document(const std::string& text, const std::string& 
 std::optional<Value> read_document(const std::string& path, Problems& problems) {
   const auto name = std::make_shared<const std::string>(path);
   if (const std::string fault = file_fault(path); !fault.empty()) {
-    problems.add({{name, 0, 0}, "", "", fault, "", ""});
+    problems.add(source_problem(name, fault));
     return std::nullopt;
   }
   std::ifstream file(path, std::ios::binary);
@@ -222,62 +185,12 @@ std::optional<Value> read_document(const std::string& path, Problems& problems) 
   content << file.rdbuf();
   const std::string text = content.str();
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-    problems.add({{name, 0, 0},
-                  "",
-                  "",
-                  "the deck is empty",
-                  "",
-                  "begin with inputs/tutorial/sand_column_2d.toml, or see scree describe"});
+    const char* const hint =
+        "begin with inputs/tutorial/sand_column_2d.toml, or see scree describe";
+    problems.add(source_problem(name, "the deck is empty", hint));
     return std::nullopt;
   }
   return parse_document(text, path, problems);
-}
-
-void apply_override(Value& document, const std::string& assignment, Problems& problems) {
-  const auto source = std::make_shared<const std::string>("--set " + assignment);
-  const auto report = [&](const std::string& message, const std::string& repair) {
-    problems.add({{source, 0, 0}, "", "", message, "", repair});
-  };
-  const std::size_t equals = equals_sign(assignment);
-  if (equals == std::string::npos || equals == 0) {
-    report("is no assignment", "write --set KEY=VALUE, e.g. --set time.end=0.5");
-    return;
-  }
-  const auto path = split_key(assignment.substr(0, equals), *source);
-  if (!path) {
-    report("has no valid key before the =", "write a dotted key, e.g. time.end");
-    return;
-  }
-  const std::string text = assignment.substr(equals + 1);
-  Problems not_toml;
-  const auto parsed = parse_document("v = " + text, *source, not_toml);
-  Value value;
-  if (parsed && parsed->items.size() == 1 && parsed->items.front().key == "v") {
-    value = parsed->items.front();
-  } else {
-    value.kind = Value::Kind::text;
-    value.text = text;
-  }
-  Value* table = &document;
-  std::string walked;
-  for (std::size_t i = 0; i + 1 < path->size(); ++i) {
-    const std::string& key = (*path)[i];
-    walked += (walked.empty() ? "" : ".") + key;
-    if (!table->find(key)) {
-      Value empty;
-      empty.key = key;
-      relocate(empty, source);
-      table->items.push_back(std::move(empty));
-    }
-    table = table->find(key);
-    if (table->is(Value::Kind::table)) continue;
-    report(walked + " is " + kind_name(table->kind) + ", not a table",
-           "set the whole table, e.g. --set '" + walked + "={ " + path->back() + " = ... }'");
-    return;
-  }
-  value.key = path->back();
-  relocate(value, source);
-  merge(*table, std::move(value));
 }
 
 }  // namespace scree

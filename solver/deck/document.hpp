@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,10 @@
 #include "solver/base/value.hpp"
 
 namespace scree {
+
+/// A problem of a whole file or option.
+Problem source_problem(const std::shared_ptr<const std::string>& source, std::string message,
+                       std::string repair = {});
 
 /// Reads a TOML file with the position of every key and value. Reports an unreadable file or the
 /// first syntax error to `problems` and returns nothing then.
