@@ -38,17 +38,18 @@ inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
           [](const SchemaContext& c) { return resolve_match(Match::by_dimension, c.dimension); },
           "plane_strain in 2D, compression in 3D")
       .doc("State of stress in which cone and Mohr-Coulomb agree.");
-  s.check([](const Input& in, const SchemaContext&) -> std::optional<Finding> {
+  s.check({"friction_angle"}, [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
     if (in.friction_angle > 0) return std::nullopt;
     return Finding{"friction_angle", "a cone without friction has no tip", "above 0",
                    "use model = \"von_mises\", whose yield_stress is sqrt(3) times the cohesion in "
                    "plane strain, twice the cohesion in triaxial states"};
   });
-  s.check([](const Input& in, const SchemaContext&) -> std::optional<Finding> {
-    if (in.dilation_angle <= in.friction_angle) return std::nullopt;
-    return Finding{"dilation_angle", "dilation above friction would create energy",
-                   "0 to friction_angle", "lower dilation_angle or raise friction_angle"};
-  });
+  s.check({"friction_angle", "dilation_angle"},
+          [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
+            if (in.dilation_angle <= in.friction_angle) return std::nullopt;
+            return Finding{"dilation_angle", "dilation above friction would create energy",
+                           "0 to friction_angle", "lower dilation_angle or raise friction_angle"};
+          });
   s.cite(
       "Klar, Gast, Pradhana, Fu, Schroeder, Jiang, Teran, Drucker-Prager elastoplasticity for sand "
       "animation, ACM TOG 35(4), 2016, doi 10.1145/2897824.2925906");

@@ -40,11 +40,13 @@ struct JFluid {
         .above(0)
         .fallback(1.0)
         .doc("Volume ratio J at the start, below 1: compressed.");
-    s.check([](const Input& in, const SchemaContext&) -> std::optional<Finding> {
-      if (in.initial_j > lowest_volume_ratio(in.gamma)) return std::nullopt;
-      return Finding{"initial_j", "pressure beyond all bounds",
-                     "above " + std::to_string(lowest_volume_ratio(in.gamma)), "raise initial_j"};
-    });
+    s.check({"gamma", "initial_j"},
+            [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
+              if (in.initial_j > lowest_volume_ratio(in.gamma)) return std::nullopt;
+              return Finding{"initial_j", "pressure beyond all bounds",
+                             "above " + std::to_string(lowest_volume_ratio(in.gamma)),
+                             "raise initial_j"};
+            });
     return s;
   }
 

@@ -45,7 +45,9 @@ void expect_return_is_idempotent(MatrixSource& source, int count, double toleran
       if (!M::admissible(p, state)) continue;
       const T c = M::wave_speed(p, state), e = M::energy_density(p, state),
               J = M::volume_ratio(p, state);
-      ASSERT_TRUE(std::isfinite(norm(first)) && std::isfinite(c) && std::isfinite(e)) << f;
+      ASSERT_TRUE(std::isfinite(norm(testing::to_double(first))) && std::isfinite(c) &&
+                  std::isfinite(e))
+          << f;
       ASSERT_GT(c, 0);
       ASSERT_GT(J, 0);
       auto again = state;
