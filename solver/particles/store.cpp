@@ -185,7 +185,8 @@ void ParticleStore<D, T>::clear() {
 template <int D, class T>
 void ParticleStore<D, T>::resize_aux(int aux) {
   aux_ = aux;
-  aux_pool_.assign(std::size_t(aux) * ids_.size(), T(0));
+  aux_pool_ = AlignedVector<T>();  // assign alone would keep the old memory
+  aux_pool_.resize(std::size_t(aux) * ids_.size(), T(0));
 }
 
 template <int D, class T>
