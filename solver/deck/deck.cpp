@@ -8,6 +8,7 @@
 #include "solver/deck/deck_checks.hpp"
 #include "solver/deck/document.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/quiet_floats.hpp"
 
 namespace scree {
 namespace {
@@ -44,6 +45,7 @@ Deck interpret(std::optional<Value> document, const std::vector<std::string>& ov
                Problems& problems) {
   Deck deck;
   if (!document) return deck;
+  const QuietFloats quiet;
   for (const std::string& assignment : overrides) apply_override(*document, assignment, problems);
   SchemaReader reader(context_of(*document), problems);
   reader.read(deck_schema(), &deck, *document, "");

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <toml.hpp>
 
+#include "solver/deck/quiet_floats.hpp"
 #include "solver/deck/syntax_error.hpp"
 
 namespace scree {
@@ -163,6 +164,7 @@ std::optional<Value> parse_document(const std::string& text, const std::string& 
                                     Problems& problems) {
   const auto name = std::make_shared<const std::string>(source);
   std::istringstream stream(text);
+  const QuietFloats quiet;
   try {
     const auto toml = toml::parse<toml::discard_comments, std::map, std::vector>(stream, source);
     return Converter(split_lines(text), name).convert(toml);

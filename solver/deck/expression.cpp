@@ -8,6 +8,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/problems.hpp"
+#include "solver/deck/quiet_floats.hpp"
 
 namespace scree {
 
@@ -41,9 +42,11 @@ std::optional<std::size_t> assignment(const std::string& text) {
   return std::nullopt;
 }
 
-std::string sentence(const mu::Parser::exception_type& error, const mu::Parser& parser) {
+std::string sentence(const mu::Parser::exception_type& error, const mu::Parser& parser,
+                     const std::string& text) {
   const std::string token = error.GetToken();
-  const std::string place = at(error.GetPos());
+  // At its end muParser counts a character that it has appended.
+  const std::string place = at(std::min(error.GetPos(), static_cast<int>(text.size())));
   switch (error.GetCode()) {
     case mu::ecUNASSIGNABLE_TOKEN: {
       std::vector<std::string> names{"pi"};
@@ -80,6 +83,7 @@ std::optional<std::string> Expression::fault(const std::string& text,
     return "is no expression: an assignment \"=\"" + at(static_cast<int>(*place)) +
            "; to compare write ==";
   }
+  const QuietFloats quiet;
   std::unique_ptr<Parser> parser;
   try {
     parser = std::make_unique<Parser>(text, variables);
@@ -88,7 +92,7 @@ std::optional<std::string> Expression::fault(const std::string& text,
     if (results != 1) return "is no expression: a comma outside of a function's arguments";
   } catch (const mu::Parser::exception_type& error) {
     if (!parser) return "is no expression: " + error.GetMsg();
-    return "is no expression: " + sentence(error, parser->parser);
+    return "is no expression: " + sentence(error, parser->parser, text);
   }
   return std::nullopt;
 }
