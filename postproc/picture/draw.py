@@ -11,13 +11,20 @@ from picture.scene import (Scene, box_edges, colour_function, flat_view, particl
 
 
 def colour_range(values, asked):
-    """The range of the colours: as asked, or of the values, from zero where they are not negative."""
+    """The range of the colours: as asked, or of the values, from zero where they are not negative.
+
+    A few extreme particles would leave all others in one colour: the range then ends at the
+    outermost percent, and what lies beyond takes the last colour.
+    """
     if asked:
         if not asked[1] > asked[0]:
             raise Mistake(f"--range {asked[0]:g} {asked[1]:g}: LOW must be below HIGH")
         return tuple(asked)
-    low, high = values.GetRange()
-    if low >= 0:
+    ordered = sorted(values.GetValue(i) for i in range(values.GetNumberOfTuples()))
+    low, high = (ordered[round(share * (len(ordered) - 1))] for share in (0.01, 0.99))
+    if ordered[-1] - ordered[0] < 1.5 * (high - low):
+        low, high = ordered[0], ordered[-1]
+    if ordered[0] >= 0:
         low = 0.0
     return (low, high) if high > low else (low, low + 1.0)
 
@@ -46,7 +53,7 @@ def draw(options):
         add_flat_axes(paper, layout, scene)
     else:
         add_space_axes(paper, layout, scene, renderer)
-    add_colour_bar(paper, layout.bar(), function, low, high, label)
+    add_colour_bar(paper, layout.bar(), function, (low, high), values.GetRange(), label)
     title = options.title
     if title is None:
         title = deck.get("title", "") or os.path.basename(os.path.abspath(options.run))

@@ -16,9 +16,17 @@ def ticks(low, high, most):
     step = next(f * power for f in (1, 2, 5, 10) if f * power >= rough * (1 - 1e-9))
     digits = max(0, -math.floor(math.log10(step) + 1e-9))
     values = [i * step for i in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
-    small = digits > 4 or max(abs(low), abs(high)) >= 1e5
-    return [(v, f"{v:.{max(0, math.floor(math.log10(abs(v) / step) + 1e-9))}e}" if small and v else f"{v:.{0 if small else digits}f}")
-            for v in values]
+    if digits <= 4 and max(abs(low), abs(high)) < 1e5:
+        return [(v, f"{v:.{digits}f}") for v in values]
+    return [(v, scientific(v, step)) for v in values]
+
+
+def scientific(value, step):
+    """As many digits as tell neighbours at the distance `step` apart."""
+    if abs(value) < 0.5 * step:
+        return "0"
+    places = [math.floor(math.log10(abs(x)) + 1e-9) for x in (value, step)]
+    return f"{value:.{max(0, places[0] - places[1])}e}"
 
 
 class Paper:
@@ -93,9 +101,13 @@ class Layout:
                 (self.left + self.plot_width) / self.width, (self.bottom + self.plot_height) / self.height)
 
 
-def add_colour_bar(paper, box, function, low, high, label):
-    """A bar in the pixel box (left, bottom, right, top) with ticks to its right."""
+def add_colour_bar(paper, box, function, shown, all_values, label):
+    """A bar in the pixel box (left, bottom, right, top) with ticks to its right.
+
+    `shown` is the range of the colours; where `all_values` goes beyond it, a note says so.
+    """
     left, bottom, right, top = box
+    low, high = shown
     steps = 128
     for i in range(steps):
         y0, y1 = (bottom + (top - bottom) * (i + d) / steps for d in (0, 1))
@@ -110,6 +122,10 @@ def add_colour_bar(paper, box, function, low, high, label):
         paper.line((right, y), (right + 7 * s, y), width=1.5)
         paper.text(right + 13 * s, y, words, valign="middle")
     paper.text(left, top + 16 * s, label)
+    beyond = [f"{name} {value:.2g}" for name, value, outside in
+              (("min", all_values[0], all_values[0] < low), ("max", all_values[1], all_values[1] > high)) if outside]
+    if beyond:
+        paper.text(left, bottom - 14 * s, ", ".join(beyond), size=18, valign="top")
 
 
 def add_flat_axes(paper, layout, scene):

@@ -115,7 +115,7 @@ def particle_actors(scene, data, values, function, pixels_per_metre):
         actor.SetMapper(mapper)
         flat = scene.dimension == 2
         # Wider than the particles' distance, to close the gaps of a moderately deformed body.
-        size = (1.5 if flat else 1.25) * scene.sizes[group or 0] * pixels_per_metre
+        size = (2.0 if flat else 1.25) * scene.sizes[group or 0] * pixels_per_metre
         style = actor.GetProperty()
         style.SetPointSize(max(1.5, size))
         style.SetRenderPointsAsSpheres(size > ROUND)
