@@ -40,7 +40,7 @@ SCREE_FN void gather_affine(const G& g, const Point& p, V (&velocity)[D], V (&af
   using T = Scalar<V>;
   set_zero(velocity);
   set_zero(affine);
-  for (int k = 0; k < Kernel::lattices; ++k) {
+  SCREE_UNROLL_ON_DEVICE for (int k = 0; k < Kernel::lattices; ++k) {
     V value[D];
     V moment[D][D];
     g.gather_moments(0, p.stencil.base[k], p.stencil.weight[k], value, moment);
@@ -66,7 +66,7 @@ SCREE_FN void gather_gradient(const G& g, int channel, const Point& p, V (&veloc
   set_zero(velocity);
   set_zero(gradient);
   const auto slopes = Kernel::template slopes<V, D>(p);
-  for (int k = 0; k < Kernel::lattices; ++k) {
+  SCREE_UNROLL_ON_DEVICE for (int k = 0; k < Kernel::lattices; ++k) {
     V value[D];
     V part[D][D];
     g.gather_slopes(channel, p.stencil.base[k], p.stencil.weight[k], slopes.slope[k], value, part);
@@ -86,7 +86,7 @@ SCREE_FN void gather_gradient(const G& g, int channel, const Point& p, V (&veloc
 template <class Kernel, class G, class Point, class V, int D>
 SCREE_FN void scatter_affine(G& g, int channel, const Point& p, const V (&q)[D], const V& mass,
                              const V (&a)[D][D], const V& mask) {
-  for (int k = 0; k < Kernel::lattices; ++k) {
+  SCREE_UNROLL_ON_DEVICE for (int k = 0; k < Kernel::lattices; ++k) {
     V base[D];
     for (int c = 0; c < D; ++c) {
       base[c] = q[c];
@@ -101,7 +101,7 @@ template <class Kernel, class G, class Point, class V, int D>
 SCREE_FN void scatter_gradient(G& g, int channel, const Point& p, const V (&q)[D], const V& mass,
                                const V (&f)[D][D], const V& mask) {
   const auto slopes = Kernel::template slopes<V, D>(p);
-  for (int k = 0; k < Kernel::lattices; ++k) {
+  SCREE_UNROLL_ON_DEVICE for (int k = 0; k < Kernel::lattices; ++k) {
     g.scatter_slopes(channel, p.stencil.base[k], p.stencil.weight[k], slopes.slope[k], q, mass, f,
                      mask);
   }
