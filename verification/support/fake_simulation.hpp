@@ -21,7 +21,7 @@ class FakeSimulation : public Simulation {
  public:
   FakeSimulation(Schedule schedule, double stable, std::size_t count)
       : schedule_(schedule), stable_(stable), x_(count) {
-    for (std::size_t p = 0; p < count; ++p) x_[p] = 0.1 + 0.2 * static_cast<double>(p) / 7;
+    for (std::size_t p = 0; p < count; ++p) x_[p] = 0.1 + 0.8 * double(p) / double(count);
     planned_ = plan_step(schedule_, 0, stable_);
   }
 
