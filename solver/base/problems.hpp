@@ -49,6 +49,9 @@ class Problems {
 /// neighbours; case ignored), or "" when none is near enough to be meant.
 std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates);
 
+/// "a number", "an angle"
+std::string with_article(const std::string& noun);
+
 /// "a, b, c"
 std::string join(const std::vector<std::string>& words, const std::string& separator = ", ");
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/base/schema.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree {
@@ -14,7 +15,12 @@ const Entry* SchemaBase::find(const std::string& key) const {
 
 std::vector<std::string> SchemaBase::keys() const {
   std::vector<std::string> result;
-  for (const auto& entry : entries_) result.push_back(entry->key);
+  for (const auto& entry : entries_) {
+    // A key may have one entry for each kind of a table.
+    if (std::find(result.begin(), result.end(), entry->key) == result.end()) {
+      result.push_back(entry->key);
+    }
+  }
   return result;
 }
 

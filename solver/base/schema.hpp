@@ -124,6 +124,9 @@ class SchemaReader {
   bool points(const Entry&, const Value&, const std::string& path,
               std::vector<std::array<double, 2>>& result);
 
+  /// The members of a table of named tables; reports once when it holds anything else.
+  std::vector<const Value*> named_tables(const Value& value, const std::string& path);
+
   /// Reports keys of `table` that are not in `known`.
   void unknown_keys(const Value& table, const std::string& path,
                     const std::vector<std::string>& known);

@@ -215,15 +215,10 @@ Field<std::vector<N>> Schema<S>::named(std::string key, std::vector<N> S::*membe
   Entry& e = bind(std::move(key), EntryKind::named, Unit::none, member);
   e.nested = [schema]() -> const SchemaBase& { return schema(); };
   e.read = [schema](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
-    if (!value.is(Value::Kind::table)) {
-      reader.report(value, path, "must be a table of named tables", "",
-                    "write [" + path + ".NAME] with a name of your choice");
-      return;
-    }
-    for (const Value& item : value.items) {
+    for (const Value* item : reader.named_tables(value, path)) {
       N& spec = static_cast<std::vector<N>*>(m)->emplace_back();
-      reader.read(schema(), &spec, item, path + "." + toml_key(item.key));
-      spec.name = item.key;
+      reader.read(schema(), &spec, *item, path + "." + toml_key(item->key));
+      spec.name = item->key;
     }
   };
   e.write = [](const void*, int) { return std::string(); };

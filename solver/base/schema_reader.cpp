@@ -126,11 +126,24 @@ bool SchemaReader::available(const Entry& entry, Scope& scope) {
   return false;
 }
 
+std::vector<const Value*> SchemaReader::named_tables(const Value& value, const std::string& path) {
+  std::vector<const Value*> tables;
+  bool bare = !value.is(Value::Kind::table);
+  for (const Value& item : value.items) {
+    if (item.is(Value::Kind::table) && !bare) tables.push_back(&item);
+    bare = bare || !item.is(Value::Kind::table);
+  }
+  if (!bare) return tables;
+  problems_.add({value.position, path, "", "holds values, must hold named tables", "",
+                 "write [" + path + ".NAME] with a name of your choice"});
+  return {};
+}
+
 void SchemaReader::report_missing(const Entry& entry, const Scope& scope) {
   std::string allowed;
   if (!entry.choices.empty()) allowed = join(entry.choices);
   if (entry.unit != Unit::none)
-    allowed = "a " + unit_quantity(entry.unit) + " [" + unit_symbol(entry.unit) + "]";
+    allowed = with_article(unit_quantity(entry.unit)) + " [" + unit_symbol(entry.unit) + "]";
   std::string repair = "add " + expected_form(entry);
   if (!scope.path.empty()) repair += " to " + scope.path;
   // A misspelt key is reported as such; name it here, too.
@@ -163,11 +176,14 @@ void SchemaReader::run_checks(const SchemaBase& schema, const Scope& scope, bool
   const auto right = [&](const std::string& key) {
     return !problems_.any_under(child_path(scope.path, key));
   };
+  // First all tests, then the reports: a finding must not silence the next test of its keys.
+  std::vector<std::optional<Finding>> findings;
   for (const auto& check : schema.checks()) {
     const auto& keys = check.keys;
     const bool ready = keys.empty() ? all_right : std::all_of(keys.begin(), keys.end(), right);
-    const std::optional<Finding> finding =
-        ready ? check.test(scope.spec, context_) : std::optional<Finding>();
+    if (ready) findings.push_back(check.test(scope.spec, context_));
+  }
+  for (const auto& finding : findings) {
     if (!finding) continue;
     const Value* value = scope.table.find(finding->key);
     const std::string path =
@@ -179,6 +195,13 @@ void SchemaReader::run_checks(const SchemaBase& schema, const Scope& scope, bool
 }
 
 void SchemaReader::check_keys(const Scope& scope, const std::vector<std::string>& elsewhere) {
+  // With a faulty tag nobody knows which keys belong.
+  const auto& entries = scope.schema.entries();
+  const bool unclear = std::any_of(entries.begin(), entries.end(), [&](const auto& entry) {
+    return !entry->tag.empty() && scope.table.find(entry->tag) != nullptr &&
+           !tag_known(*entry, scope.schema, scope.table);
+  });
+  if (unclear) return;
   std::vector<std::string> known = available_keys(scope.schema, scope.table, context_.dimension);
   known.insert(known.begin(), elsewhere.begin(), elsewhere.end());
   // Keys that belong to another kind have been reported by available(): they are not unknown.

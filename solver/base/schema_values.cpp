@@ -69,7 +69,7 @@ bool SchemaReader::in_range(const Entry& entry, double x, const Value& value,
   const bool high = entry.upper && (entry.upper_open ? x >= *entry.upper : x > *entry.upper);
   if (!low && !high) return true;
   std::string repair;
-  if (entry.unit == Unit::angle && !has_unit) {
+  if (entry.unit == Unit::angle && !has_unit && high) {
     repair = "a bare number is in radians; for degrees write \"" + to_toml(value) + " deg\"";
     if (value.is(Value::Kind::text)) repair = "a bare number is in radians; add \"deg\"";
   }
@@ -92,8 +92,8 @@ bool SchemaReader::quantity(const Entry& entry, const Value& value, const std::s
   }
   if (parsed->has_unit && parsed->dimension != dimension_of(entry.unit)) {
     const std::string quantity_name = unit_quantity(entry.unit);
-    report(value, path, "has a unit that is not of a " + quantity_name, unit_examples(entry.unit),
-           dimension_repair(entry, *parsed));
+    report(value, path, "has a unit that is not of " + with_article(quantity_name),
+           unit_examples(entry.unit), dimension_repair(entry, *parsed));
     return false;
   }
   result = *parsed;

@@ -86,9 +86,9 @@ std::string to_toml(const Value& value) {
     case Value::Kind::boolean:
       return value.boolean ? "true" : "false";
     case Value::Kind::integer:
-      return std::to_string(value.integer);
+      return value.text.empty() ? std::to_string(value.integer) : value.text;
     case Value::Kind::real:
-      return toml_number(value.real);
+      return value.text.empty() ? toml_number(value.real) : value.text;
     case Value::Kind::text:
       return toml_string(value.text);
     case Value::Kind::other:

@@ -17,7 +17,7 @@ struct Value {
   bool boolean = false;
   std::int64_t integer = 0;
   double real = 0;
-  std::string text;          ///< of a text; for `other` (dates) as written
+  std::string text;          ///< of a text; of a number or date as written, if known
   std::vector<Value> items;  ///< of an array: its entries; of a table: its members
   std::string key;           ///< of a table's member: its key
   Position key_position;     ///< where the key stands

@@ -46,7 +46,10 @@ class Checker {
     check_step();
     check_gravity();
     check_fields();
-    for (const BodySpec& body : deck_.bodies) check_place(body);
+    for (const BodySpec& body : deck_.bodies) {
+      check_place(body);
+      check_initial_stress(body);
+    }
   }
 
  private:
@@ -187,6 +190,13 @@ class Checker {
     const Value& item = index < list.items.size() ? list.items[index] : list;
     problems_.add({item.position, "output.fields[" + std::to_string(index) + "]", to_toml(item),
                    message, allowed, repair});
+  }
+
+  /// Read and checked, but not yet used by the solver: refused rather than ignored.
+  void check_initial_stress(const BodySpec& body) {
+    if (!body.initial_stress || faulty("body." + toml_key(body.name) + ".initial_stress")) return;
+    report({"body", body.name, "initial_stress"}, "not available in this version", "",
+           "remove it, and let the body settle under damping first");
   }
 
   void check_place(const BodySpec& body) {

@@ -83,15 +83,10 @@ class DeckSchema : public Schema<Deck> {
       return result;
     };
     e.read = [](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
-      if (!value.is(Value::Kind::table)) {
-        reader.report(value, path, "must be a table of named tables", "",
-                      "write [material.NAME] with a name of your choice");
-        return;
-      }
-      for (const Value& item : value.items) {
+      for (const Value* item : reader.named_tables(value, path)) {
         MaterialSpec& spec = static_cast<Materials*>(m)->emplace_back();
-        spec.name = item.key;
-        read_material(spec, item, path + "." + toml_key(item.key), reader);
+        spec.name = item->key;
+        read_material(spec, *item, path + "." + toml_key(item->key), reader);
       }
     };
     e.write = [](const void*, int) { return std::string(); };

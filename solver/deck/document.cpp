@@ -89,7 +89,8 @@ class Converter {
     } else {
       value.real = toml.as_floating();
     }
-    std::string text = source_text(toml);
+    value.text = source_text(toml);
+    std::string text = value.text;
     std::erase(text, '_');
     const bool decimal = text.find_first_not_of("+-.0123456789eE") == std::string::npos;
     if (text.empty() || !decimal) return;

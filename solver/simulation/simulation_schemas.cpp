@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "solver/simulation/domain_spec.hpp"
 #include "solver/simulation/method_spec.hpp"
@@ -23,12 +25,18 @@ std::string short_number(double value) {
   return buffer;
 }
 
-/// "[0.8, 0.3]" with upper[axis] replaced.
-std::string upper_with(const DomainSpec& domain, int axis, double value) {
+/// The upper bound of `axis` with `cells` cells, one at least.
+double upper_with(const DomainSpec& domain, std::size_t axis, double cells) {
+  return domain.lower[axis] + std::max(1.0, cells) * domain.cell_size;
+}
+
+/// "upper = [0.8, 0.3]" with `value` in `axis`; the other axes at their nearest whole cells.
+std::string upper_text(const DomainSpec& domain, std::size_t axis, double value) {
   std::string text = "upper = [";
-  for (int i = 0; i < domain.dimension; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    text += (i == 0 ? "" : ", ") + short_number(i == axis ? value : domain.upper[k]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(domain.dimension); ++i) {
+    const double cells = (domain.upper[i] - domain.lower[i]) / domain.cell_size;
+    const double nearest = upper_with(domain, i, std::round(cells));
+    text += (i == 0 ? "" : ", ") + short_number(i == axis ? value : nearest);
   }
   return text + "]";
 }
@@ -48,11 +56,11 @@ std::optional<Finding> extent_fault(const DomainSpec& domain, int axis) {
   }
   const double nearest = std::round(cells);
   if (nearest >= 1 && std::abs(cells - nearest) <= cell_tolerance) return std::nullopt;
-  const double below = domain.lower[k] + std::floor(cells) * domain.cell_size;
-  const double above = domain.lower[k] + std::ceil(cells) * domain.cell_size;
+  std::string allowed = upper_text(domain, k, upper_with(domain, k, std::ceil(cells)));
+  if (cells > 1) {
+    allowed = upper_text(domain, k, upper_with(domain, k, std::floor(cells))) + " or " + allowed;
+  }
   const std::string size = short_number(domain.cell_size);
-  std::string allowed = upper_with(domain, axis, above);
-  if (cells > 1) allowed = upper_with(domain, axis, below) + " or " + allowed;
   return Finding{"upper",
                  "upper - lower = " + short_number(extent) + " m in " + name +
                      " is no multiple of cell_size = " + size + " m (" + short_number(cells) +

@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
              "f:2:9: ratio = nan: is not finite; allowed: at least 0 and below 0.5; write a finite "
              "number\n"},
         Case{"length = 1e400",
-             "f:1:10: length = inf: is not finite; allowed: above 0 m; write a finite number\n"},
+             "f:1:10: length = 1e400: is not finite; allowed: above 0 m; write a finite number\n"},
         Case{"length = \"2 sec\"",
              "f:1:10: length = \"2 sec\": has the unknown unit \"sec\"; allowed: m, mm, cm, km\n"},
         Case{"length = \"long\"",
