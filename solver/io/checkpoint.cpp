@@ -12,6 +12,7 @@
 #ifdef __SANITIZE_ADDRESS__
 /// HDF5 1.10 does not free a file that it could not flush to a full disk; that is no leak of ours.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
 #endif
 
 namespace scree {
