@@ -22,6 +22,7 @@ file(REMOVE_RECURSE "${WORK}/good" "${WORK}/bad")
 file(WRITE "${WORK}/good/solver/base/a.hpp" "${head}#include <vector>\n")
 file(WRITE "${WORK}/good/materials/material.hpp" "${head}#include \"solver/base/a.hpp\"\n")
 file(WRITE "${WORK}/good/solver/step/b.hpp" "${head}#include \"materials/material.hpp\"\n")
+file(WRITE "${WORK}/good/solver/step/list.cpp" "${spdx}#include \"generated/materials.hpp\"\n")
 file(WRITE "${WORK}/good/solver/io/c.cpp" "${spdx}#include <hdf5.h>\n#include <vtkPoints.h>\n")
 file(WRITE "${WORK}/good/postproc/d.cpp" "${spdx}#include \"solver/io/c.hpp\"\n")
 file(WRITE "${WORK}/good/app/e.cpp" "${spdx}#include <CLI/CLI.hpp>\n#include \"postproc/d.hpp\"\n")
@@ -36,6 +37,7 @@ set(cases
     "solver/base/up.hpp|${head}#include \"solver/step/b.hpp\"\n|solver/base/up.hpp:3: base must not include solver/step/b.hpp"
     "materials/up.hpp|${head}#include \"solver/step/b.hpp\"\n|materials/up.hpp:3: materials must not include"
     "solver/step/concrete.hpp|${head}\n  #  include \"materials/sand.hpp\"\n|solver/step/concrete.hpp:4: solver must not include materials/sand.hpp"
+    "solver/grid/list.cpp|${spdx}#include \"generated/materials.def\"\n|solver/grid/list.cpp:2: solver must not include generated/materials.def"
     "solver/step/up.cpp|${spdx}#include \"app/e.hpp\"\n|solver/step/up.cpp:2: solver must not include app/e.hpp"
     "postproc/inside.cpp|${spdx}#include \"solver/grid/g.hpp\"\n|postproc/inside.cpp:2: postproc must not include solver/grid/g.hpp"
     "app/relative.cpp|${spdx}#include \"../solver/base/a.hpp\"\n|app/relative.cpp:2: \"../solver/base/a.hpp\" is not a path"
