@@ -19,7 +19,8 @@ constexpr int per_direction = 2;
 constexpr int margin = 4;  ///< free cells around the body
 
 template <class T>
-T choose(const std::string& option, const std::string& value, const std::map<std::string, T>& known) {
+T choose(const std::string& option, const std::string& value,
+         const std::map<std::string, T>& known) {
   const auto it = known.find(value);
   if (it != known.end()) return it->second;
   std::string names;
@@ -122,7 +123,8 @@ SimulationSetup build_bench_case(const BenchOptions& options) {
                                                   {"quadratic", KernelType::quadratic}};
   const std::map<std::string, Precision> precisions{{"double", Precision::double_},
                                                     {"single", Precision::single_}};
-  const std::map<std::string, PathType> paths{{"fused", PathType::fused}, {"split", PathType::split}};
+  const std::map<std::string, PathType> paths{{"fused", PathType::fused},
+                                              {"split", PathType::split}};
   if (options.particles < 1) throw UserError("--particles must be at least 1");
   SimulationSetup setup = choose("case", options.case_name, cases)(options.particles);
   setup.bodies[0].name = setup.bodies[0].material = options.case_name;

@@ -86,16 +86,18 @@ void print_text(const BenchOptions& options, const BenchResult& r) {
   fmt::print("{}, {} {}, {} path, {} thread{}: {} particles, {} steps\n", options.case_name,
              options.kernel, options.precision, options.path, r.threads, r.threads == 1 ? "" : "s",
              r.particles, r.steps);
-  fmt::print("  particle updates   {:9.2f} million/s ({:.2f} a thread)\n", r.updates_per_second() / 1e6,
-             r.updates_per_second() / 1e6 / r.threads);
+  fmt::print("  particle updates   {:9.2f} million/s ({:.2f} a thread)\n",
+             r.updates_per_second() / 1e6, r.updates_per_second() / 1e6 / r.threads);
   fmt::print("  step               {:9.3f} ms\n", 1e3 * r.seconds / r.steps);
   fmt::print("  per particle       {:9.2f} ns\n", per_particle);
   for (const auto& [name, seconds] : r.phases) {
     fmt::print("    {:<16} {:9.2f} ns\n", name, 1e9 * seconds / (double(r.particles) * r.steps));
   }
-  fmt::print("  memory             {:9.1f} bytes a particle (particles {:.1f}, grid {:.1f}, other {:.1f})\n",
-             r.bytes_per_particle(), double(r.memory.particles) / double(r.particles),
-             double(r.memory.grid) / double(r.particles), double(r.memory.other) / double(r.particles));
+  fmt::print(
+      "  memory             {:9.1f} bytes a particle (particles {:.1f}, grid {:.1f}, other "
+      "{:.1f})\n",
+      r.bytes_per_particle(), double(r.memory.particles) / double(r.particles),
+      double(r.memory.grid) / double(r.particles), double(r.memory.other) / double(r.particles));
   fmt::print("  peak resident      {:9.1f} MB\n", double(r.max_rss_bytes) / 1e6);
 }
 

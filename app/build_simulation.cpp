@@ -23,7 +23,8 @@ class Field {
   }
 
   static bool given(const std::array<Formula, 3>& formulas) {
-    return std::any_of(formulas.begin(), formulas.end(), [](const Formula& f) { return f.given(); });
+    return std::any_of(formulas.begin(), formulas.end(),
+                       [](const Formula& f) { return f.given(); });
   }
 
   std::array<double, 3> operator()(const double* variables) const {

@@ -14,8 +14,8 @@ namespace scree {
 
 /// A fixed team of threads that shares out index ranges.
 ///
-/// Which thread runs an index is left to chance; callers must write results by index (or in an order
-/// fixed by colours), so that they do not depend on it.
+/// Which thread runs an index is left to chance; callers must write results by index (or in an
+/// order fixed by colours), so that they do not depend on it.
 class ThreadPool {
  public:
   /// threads >= 1; 1 runs everything on the caller.

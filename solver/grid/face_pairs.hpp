@@ -49,7 +49,8 @@ FacePairs<D> find_face_pairs(const Grid<D, T>& grid, const GridDomain<D>& domain
                                          ? at + (side == 0 ? n : -n)
                                          : mirrored_node(at, n, side, lattice);
           const bool wall = kind == FaceKind::mirror && image == at;
-          const bool outside = side == 0 ? at < 0 : at >= n && (kind == FaceKind::periodic || image < at);
+          const bool outside =
+              side == 0 ? at < 0 : at >= n && (kind == FaceKind::periodic || image < at);
           if (!wall && !outside) continue;
           BlockCoord<D> other = node;
           other[axis] = image;

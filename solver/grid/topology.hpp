@@ -21,7 +21,8 @@ struct GridDomain {
 
 /// Node index of the mirror (or periodic) image of node `index` of a lattice, for face `side`.
 /// Lattice 0 has nodes at i, lattice 1 at i + 1/2.
-constexpr std::int32_t mirrored_node(std::int32_t index, std::int32_t cells, int side, int lattice) {
+constexpr std::int32_t mirrored_node(std::int32_t index, std::int32_t cells, int side,
+                                     int lattice) {
   return (side == 0 ? 0 : 2 * cells) - lattice - index;
 }
 

@@ -15,19 +15,22 @@ std::string place(const ParticleFault& fault) {
 std::string what(const ParticleFault& fault) {
   switch (fault.code) {
     case FaultCode::moved_too_far:
-      return fmt::format("moved {:.2g} dx in one step, more than the bound of 0.25 dx; lower time.cfl",
-                         fault.value);
+      return fmt::format(
+          "moved {:.2g} dx in one step, more than the bound of 0.25 dx; lower time.cfl",
+          fault.value);
     case FaultCode::inadmissible_state:
-      return fmt::format("was deformed beyond what its material can represent (volume ratio J = {:.3g});"
-                         " lower time.cfl, use more particles per direction or a stiffer material",
-                         fault.value);
+      return fmt::format(
+          "was deformed beyond what its material can represent (volume ratio J = {:.3g});"
+          " lower time.cfl, use more particles per direction or a stiffer material",
+          fault.value);
     case FaultCode::not_finite:
       return "has a velocity that is not a finite number; lower time.cfl and check the material's "
              "parameters";
     case FaultCode::left_domain:
-      return fmt::format("went {:.2g} dx beyond the limit of one cell outside a closed face of the "
-                         "domain; lower time.cfl or use a finer grid",
-                         fault.value);
+      return fmt::format(
+          "went {:.2g} dx beyond the limit of one cell outside a closed face of the "
+          "domain; lower time.cfl or use a finer grid",
+          fault.value);
     case FaultCode::none:
       break;
   }
@@ -43,7 +46,8 @@ std::string fault_text(const ParticleFault& fault) {
 
 std::string mass_fault_text(std::int64_t step, double grid_mass, double particle_mass) {
   return fmt::format(
-      "step {}: the grid holds a mass of {:.17g} kg, the particles {:.17g} kg; this is a defect of the "
+      "step {}: the grid holds a mass of {:.17g} kg, the particles {:.17g} kg; this is a defect of "
+      "the "
       "program, please report it with the deck",
       step, grid_mass, particle_mass);
 }

@@ -7,8 +7,8 @@ namespace scree {
 
 /// The times at which a run must stop exactly: history rows, frames, checkpoints and the end.
 ///
-/// Event k of a stream lies at k * interval (so rounding does not add up), and at the end for history
-/// and frames. Two events closer than 1e-9 of the interval count as one.
+/// Event k of a stream lies at k * interval (so rounding does not add up), and at the end for
+/// history and frames. Two events closer than 1e-9 of the interval count as one.
 class Schedule {
  public:
   Schedule() = default;

@@ -25,10 +25,10 @@ namespace scree {
 /// The particles of one body at t = 0 and their law.
 struct BodySetup {
   std::string name;
-  std::string material;   ///< deck name
-  std::string model;      ///< name of the law
-  std::any input;         ///< the law's Input
-  double density = 0;     ///< [kg/m^3]
+  std::string material;  ///< deck name
+  std::string model;     ///< name of the law
+  std::any input;        ///< the law's Input
+  double density = 0;    ///< [kg/m^3]
   std::int32_t material_index = 0;
   double particle_volume = 0;             ///< [m^3] (2D: m^2)
   std::vector<double> position;           ///< 3 per particle [m]
@@ -47,22 +47,22 @@ struct TractionSetup {
 struct SimulationSetup {
   int dimension = 3;
   Precision precision = Precision::double_;
-  std::array<double, 3> lower{};         ///< domain's lower corner [m]
-  std::array<std::int32_t, 3> cells{};   ///< cells an axis
-  double cell_size = 1;                  ///< [m]
+  std::array<double, 3> lower{};        ///< domain's lower corner [m]
+  std::array<std::int32_t, 3> cells{};  ///< cells an axis
+  double cell_size = 1;                 ///< [m]
   KernelType kernel = KernelType::compact;
   TransferType transfer = TransferType::mls;
   PathType path = PathType::automatic;
   double flip_blend = 1;
   double cfl = 0.4;
-  std::optional<double> step;            ///< fixed step [s]; still shortened to hit events
+  std::optional<double> step;  ///< fixed step [s]; still shortened to hit events
   std::function<std::array<double, 3>(double t)> gravity;  ///< [m/s^2]; empty = none
   DampingType damping = DampingType::none;
   double damping_value = 0;
-  /// Acceleration [m/s^2] at reference position X, position x, time t; empty = none. Takes the split
-  /// path.
+  /// Acceleration [m/s^2] at reference position X, position x, time t; empty = none. Takes the
+  /// split path.
   std::function<std::array<double, 3>(const double* X, const double* x, double t)> body_force;
-  std::array<std::array<FaceType, 2>, 3> faces{};          ///< [axis][lower, upper]
+  std::array<std::array<FaceType, 2>, 3> faces{};  ///< [axis][lower, upper]
   std::array<std::array<double, 2>, 3> face_friction{};
   std::vector<ColliderSpec> colliders;
   std::vector<BodySetup> bodies;
@@ -96,9 +96,9 @@ class Simulation {
   /// Advances by dt(). Throws RunFault; the state is then of no further use.
   virtual void step() = 0;
 
-  virtual double time() const = 0;        ///< [s]
-  virtual double dt() const = 0;          ///< the coming step [s]
-  virtual double next_time() const = 0;   ///< time() after the coming step [s]
+  virtual double time() const = 0;       ///< [s]
+  virtual double dt() const = 0;         ///< the coming step [s]
+  virtual double next_time() const = 0;  ///< time() after the coming step [s]
   virtual std::int64_t step_count() const = 0;
   virtual std::int64_t particle_count() const = 0;
   virtual std::int64_t removed_count() const = 0;  ///< particles that left through open faces

@@ -10,8 +10,8 @@ std::array<double, 3> SimulationImpl<D, T>::position_of(std::uint64_t key, const
   std::array<double, 3> x{};
   for (int a = 0; a < D; ++a) {
     const double u = double(batch[a * ParticleStore<D, T>::width + lane]);
-    x[std::size_t(a)] =
-        setup_.lower[std::size_t(a)] + setup_.cell_size * (double(block_cells) * block[std::size_t(a)] + u);
+    x[std::size_t(a)] = setup_.lower[std::size_t(a)] +
+                        setup_.cell_size * (double(block_cells) * block[std::size_t(a)] + u);
   }
   return x;
 }
@@ -41,7 +41,8 @@ void SimulationImpl<D, T>::update_external() {
         const std::array<double, 3> x = position_of(block.key, store.batch(b), lane);
         const std::array<double, 3> f =
             external_->acceleration(id, &reference_[3 * std::size_t(id)], x.data(), clock_.time);
-        for (int a = 0; a < D; ++a) aux[(layout_.external + a) * width + lane] = T(f[std::size_t(a)]);
+        for (int a = 0; a < D; ++a)
+          aux[(layout_.external + a) * width + lane] = T(f[std::size_t(a)]);
       }
     }
   }

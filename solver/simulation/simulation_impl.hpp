@@ -21,9 +21,9 @@ namespace scree {
 template <int D, class T>
 struct BodyState {
   std::unique_ptr<Body<D, T>> body;
-  std::vector<std::int32_t> grid_block;  ///< body block -> topology block
-  std::vector<std::int32_t> coords;      ///< D per body block
-  std::vector<BlockResult<T>> results;   ///< one per body block
+  std::vector<std::int32_t> grid_block;                        ///< body block -> topology block
+  std::vector<std::int32_t> coords;                            ///< D per body block
+  std::vector<BlockResult<T>> results;                         ///< one per body block
   std::array<std::vector<std::int32_t>, power(2, D)> colours;  ///< body blocks of one parity each
   std::vector<std::int32_t> all_blocks;
   std::int64_t first_id = 0;
@@ -118,7 +118,7 @@ class SimulationImpl final : public Simulation {
   std::int64_t step_ = 0;
   std::int64_t removed_ = 0;
   std::int64_t pending_dead_ = 0;  ///< particles marked dead that the next binning drops
-  bool recorded_ = true;  ///< aux fields hold the state at time()
+  bool recorded_ = true;           ///< aux fields hold the state at time()
   double scattered_mass_ = 0;
   std::array<double, std::size_t(Phase::count)> seconds_{};
 };

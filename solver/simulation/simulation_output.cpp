@@ -61,7 +61,8 @@ std::int64_t SimulationImpl<D, T>::particle_count() const {
 template <int D, class T>
 void SimulationImpl<D, T>::require_record(const char* what) const {
   if (recorded_ && layout_.total > 0) return;
-  throw std::logic_error(std::string(what) + " asked for at a time that is no event of the schedule");
+  throw std::logic_error(std::string(what) +
+                         " asked for at a time that is no event of the schedule");
 }
 
 template <int D, class T>
@@ -113,7 +114,8 @@ MemoryReport SimulationImpl<D, T>::memory() const {
     report.particles += state.body->store().bytes();
     report.other += std::int64_t(state.results.capacity() * sizeof(BlockResult<T>));
   }
-  report.grid = std::int64_t((current_.capacity() + next_.capacity() + extra_.capacity()) * sizeof(T));
+  report.grid =
+      std::int64_t((current_.capacity() + next_.capacity() + extra_.capacity()) * sizeof(T));
   report.grid += std::int64_t(grid_.topology().size()) * (8 + 4 * neighbour_count<D>);
   report.other += executor_.bytes() + std::int64_t(reference_.capacity() * sizeof(double));
   return report;

@@ -36,13 +36,14 @@ void times_moment_at(const double (&u)[D], const double (&m)[D][D], double (&out
   Kernel::template times_moment<double, D>(Kernel::template at<double, D>(u), m, out);
 }
 
-/// B0 = grad v0 D(x0) for the transfers that carry an affine matrix, else 0: a particle whose affine
-/// matrix ignores its velocity field loses energy in the first step.
+/// B0 = grad v0 D(x0) for the transfers that carry an affine matrix, else 0: a particle whose
+/// affine matrix ignores its velocity field loses energy in the first step.
 template <int D>
 void initial_affine(KernelType kernel, TransferType transfer, const double (&u)[D],
                     const double (&gradient)[D][D], double (&affine)[D][D]) {
   const bool carries = transfer == TransferType::mls || transfer == TransferType::apic;
-  if (carries && kernel == KernelType::compact) return times_moment_at<Compact>(u, gradient, affine);
+  if (carries && kernel == KernelType::compact)
+    return times_moment_at<Compact>(u, gradient, affine);
   if (carries && kernel == KernelType::quadratic) {
     return times_moment_at<Quadratic>(u, gradient, affine);
   }
@@ -64,7 +65,8 @@ std::unique_ptr<Simulation> Simulation::create(SimulationSetup setup) {
 template <int D, class T>
 SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
     : setup_(std::move(setup)),
-      fused_(setup_.path == PathType::automatic ? can_fuse(setup_) : setup_.path == PathType::fused),
+      fused_(setup_.path == PathType::automatic ? can_fuse(setup_)
+                                                : setup_.path == PathType::fused),
       separate_(needs_separate_force(setup_)),
       layout_(make_layout()),
       executor_(setup_.threads),
@@ -72,10 +74,12 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
       grid_(lattices_of(setup_.kernel)),
       grid_update_(domain_, make_faces(), setup_.lower, setup_.cell_size) {
   if (fused_ && !can_fuse(setup_)) {
-    throw UserError("the fused path needs transfer mls with the compact or quadratic kernel, without "
-                    "local damping, tractions and body forces");
+    throw UserError(
+        "the fused path needs transfer mls with the compact or quadratic kernel, without "
+        "local damping, tractions and body forces");
   }
-  for (const ColliderSpec& spec : setup_.colliders) colliders_.emplace_back(spec, D, setup_.cell_size);
+  for (const ColliderSpec& spec : setup_.colliders)
+    colliders_.emplace_back(spec, D, setup_.cell_size);
   std::vector<std::int64_t> first_id;
   std::vector<double> mass;
   for (std::size_t b = 0; b < setup_.bodies.size(); ++b) {
@@ -84,8 +88,8 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
     mass.push_back(bodies_.back().body->info().particle_mass());
   }
   if (setup_.body_force || !setup_.tractions.empty()) {
-    external_ = std::make_unique<ExternalForce>(setup_.body_force, setup_.tractions, D, first_id, mass,
-                                                particle_count());
+    external_ = std::make_unique<ExternalForce>(setup_.body_force, setup_.tractions, D, first_id,
+                                                mass, particle_count());
     setup_.tractions.clear();
   }
   setup_.bodies.clear();

@@ -72,7 +72,8 @@ ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>&
   for (const State& state : bodies_) {
     for (std::size_t b = 0; b < state.body->store().blocks().size(); ++b) {
       visit_block(state, b, [&](const ParticleView& p) {
-        const std::size_t row = std::size_t(std::lower_bound(ids.begin(), ids.end(), p.id) - ids.begin());
+        const std::size_t row =
+            std::size_t(std::lower_bound(ids.begin(), ids.end(), p.id) - ids.begin());
         for (int a = 0; a < 3; ++a) out.position[3 * row + a] = p.position[std::size_t(a)];
         out.material[row] = state.body->info().material_index;
         out.body[row] = state.body->info().body_index;
@@ -174,7 +175,8 @@ void SimulationImpl<D, T>::fill_lattice(const GridSnapshot& snapshot, int lattic
       }
       if (!inside) continue;
       const std::size_t record =
-          (std::size_t(b) * std::size_t(grid_.lattices()) + std::size_t(lattice)) * block_node_count<D> +
+          (std::size_t(b) * std::size_t(grid_.lattices()) + std::size_t(lattice)) *
+              block_node_count<D> +
           std::size_t(n);
       const T* values = channel.data() + record * node_values;
       mass[std::size_t(at)] = double(values[mass_slot]);

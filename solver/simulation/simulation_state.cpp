@@ -8,7 +8,8 @@ namespace scree {
 namespace {
 
 template <int D, class T>
-void save_particles(StateWriter& writer, const std::string& name, const ParticleStore<D, T>& store) {
+void save_particles(StateWriter& writer, const std::string& name,
+                    const ParticleStore<D, T>& store) {
   constexpr int width = ParticleStore<D, T>::width;
   std::vector<std::int64_t> keys;
   std::vector<std::int64_t> ids;
@@ -20,7 +21,8 @@ void save_particles(StateWriter& writer, const std::string& name, const Particle
     for (int i = 0; i < block.count; ++i) {
       const std::int32_t b = block.batches[std::size_t(i / width)];
       ids.push_back(store.ids(b)[i % width]);
-      for (int f = 0; f < store.fields(); ++f) records.push_back(store.batch(b)[f * width + i % width]);
+      for (int f = 0; f < store.fields(); ++f)
+        records.push_back(store.batch(b)[f * width + i % width]);
       for (int f = 0; f < store.aux_fields(); ++f) {
         records.push_back(store.aux_batch(b)[f * width + i % width]);
       }
@@ -33,7 +35,8 @@ void save_particles(StateWriter& writer, const std::string& name, const Particle
 }
 
 template <int D, class T>
-void load_particles(const StateReader& reader, const std::string& name, ParticleStore<D, T>& store) {
+void load_particles(const StateReader& reader, const std::string& name,
+                    ParticleStore<D, T>& store) {
   const auto keys = reader.get<std::int64_t>(name + "/block_keys");
   const auto counts = reader.get<std::int32_t>(name + "/block_counts");
   const auto ids = reader.get<std::int64_t>(name + "/ids");
@@ -50,7 +53,8 @@ void load_particles(const StateReader& reader, const std::string& name, Particle
       const std::int64_t slot = store.append(static_cast<std::uint64_t>(keys[b]), ids.at(p));
       const T* record = &records[p * stride];
       for (int f = 0; f < store.fields(); ++f) store.value(slot, f) = record[f];
-      for (int f = 0; f < store.aux_fields(); ++f) store.aux_value(slot, f) = record[store.fields() + f];
+      for (int f = 0; f < store.aux_fields(); ++f)
+        store.aux_value(slot, f) = record[store.fields() + f];
     }
   }
   store.finish_blocks();
@@ -60,10 +64,12 @@ void load_particles(const StateReader& reader, const std::string& name, Particle
 
 template <int D, class T>
 void SimulationImpl<D, T>::save(StateWriter& writer) const {
-  writer.put("clock", std::vector<double>{clock_.time, clock_.dt, clock_.next_time, clock_.last_dt});
+  writer.put("clock",
+             std::vector<double>{clock_.time, clock_.dt, clock_.next_time, clock_.last_dt});
   writer.put("bounds",
              std::vector<double>{bounds_.max_speed, bounds_.max_signal, bounds_.max_excursion});
-  writer.put("counters", std::vector<std::int64_t>{step_, removed_, pending_dead_, recorded_ ? 1 : 0});
+  writer.put("counters",
+             std::vector<std::int64_t>{step_, removed_, pending_dead_, recorded_ ? 1 : 0});
   writer.put_value("scattered_mass", scattered_mass_);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     save_particles(writer, fmt::format("body_{}", b), bodies_[b].body->store());
@@ -97,7 +103,9 @@ void SimulationImpl<D, T>::load(const StateReader& reader) {
     const auto keys = reader.get<std::int64_t>("grid/block_keys");
     const auto momentum = reader.get<T>("grid/momentum");
     const auto& active = grid_.topology().keys();
-    const auto same = [](std::int64_t a, std::uint64_t b) { return static_cast<std::uint64_t>(a) == b; };
+    const auto same = [](std::int64_t a, std::uint64_t b) {
+      return static_cast<std::uint64_t>(a) == b;
+    };
     if (!std::equal(keys.begin(), keys.end(), active.begin(), active.end(), same) ||
         momentum.size() != grid_.size()) {
       throw RunFault("the checkpoint's grid does not match its particles");

@@ -17,8 +17,8 @@ struct StepClock {
   double last_dt = 0;    ///< the step that ended at time
 };
 
-/// A step of at most `stable` from t that lands exactly on the next event, the last two steps before
-/// it being equal.
+/// A step of at most `stable` from t that lands exactly on the next event, the last two steps
+/// before it being equal.
 struct PlannedStep {
   double dt;
   double end;

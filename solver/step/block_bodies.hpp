@@ -78,14 +78,15 @@ SCREE_FN void stress_block(G& g, const PassData<D, T>& data,
         increment(c, a) = g.load_aux(b, data.layout.increment + c * D + a);
       }
     }
-    const Sym3<V> tau = update_material<Material>(g, b, data.parameters, material, increment, u, velocity);
+    const Sym3<V> tau =
+        update_material<Material>(g, b, data.parameters, material, increment, u, velocity);
     store_stress(g, b, data.layout, tau);
   });
 }
 
 /// The fused pass: gather the new grid velocities, move and deform the particle, return its stress
-/// to the next step's grid. Only position and material state are stored; velocity, affine matrix and
-/// stress leave the registers on request (par.record).
+/// to the next step's grid. Only position and material state are stored; velocity, affine matrix
+/// and stress leave the registers on request (par.record).
 template <class Kernel, class Material, class G, int D, class T>
 SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
                           const typename Material::template Params<T>& material) {
@@ -110,7 +111,8 @@ SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
       store_stress(g, b, data.layout, tau);
     }
     const Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
-    Transfer::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion, impulse, false, live);
+    Transfer::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion, impulse, false,
+                      live);
   });
   g.sync();
   g.stage_out(0);

@@ -17,12 +17,12 @@ namespace scree {
 /// What a body is, whatever its material's type.
 struct BodyInfo {
   std::string name;
-  std::string material;          ///< deck name of the material
-  std::string model;             ///< name of its law
+  std::string material;  ///< deck name of the material
+  std::string model;     ///< name of its law
   std::int32_t body_index = 0;
   std::int32_t material_index = 0;
-  double particle_volume = 0;    ///< reference volume V0 [m^3] (2D: m^2)
-  double density = 0;            ///< [kg/m^3]
+  double particle_volume = 0;  ///< reference volume V0 [m^3] (2D: m^2)
+  double density = 0;          ///< [kg/m^3]
   double particle_mass() const { return density * particle_volume; }
 };
 
@@ -31,7 +31,7 @@ struct StateColumn {
   std::string name;
   std::string unit;
   int components = 1;
-  int first = 0;       ///< index of its first entry within the state
+  int first = 0;  ///< index of its first entry within the state
   bool output = true;
 };
 

@@ -15,8 +15,8 @@ std::unique_ptr<Body<D, T>> make_material_body(const BodyInfo& info, const std::
 }  // namespace scree
 
 /// Compiles one law for one dimension and precision; one translation unit each, written by CMake.
-#define SCREE_INSTANTIATE(Type, D, real)                                      \
-  namespace scree {                                                           \
-  template std::unique_ptr<Body<D, real>> make_material_body<Type, D, real>(  \
-      const BodyInfo&, const std::any&);                                      \
+#define SCREE_INSTANTIATE(Type, D, real)                                                      \
+  namespace scree {                                                                           \
+  template std::unique_ptr<Body<D, real>> make_material_body<Type, D, real>(const BodyInfo&,  \
+                                                                            const std::any&); \
   }

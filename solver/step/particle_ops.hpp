@@ -145,7 +145,8 @@ SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<
 template <class Material, class G, class V, int D, class T>
 SCREE_FN Sym3<V> update_material(G& g, const typename G::Batch& b, const PassParameters<T>& par,
                                  const typename Material::template Params<T>& material,
-                                 const Mat3<V>& increment, const V (&u)[D], const V (&velocity)[D]) {
+                                 const Mat3<V>& increment, const V (&u)[D],
+                                 const V (&velocity)[D]) {
   auto state = load_state<typename Material::template State<V>, V>(g, b, D);
   const Sym3<V> tau = Material::kirchhoff(material, state, increment, par.dt);
   store_state<V>(g, b, D, state);

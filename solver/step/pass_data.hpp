@@ -10,29 +10,29 @@ namespace scree {
 /// Where the aux fields of a particle lie (index of the first entry, -1 = absent) and how many
 /// there are.
 struct AuxLayout {
-  int velocity = -1;  ///< D entries [m/s]
-  int affine = -1;    ///< D*D entries, B = 1/2 sum w v (x_i - x_p)^T in units of m/s x cells
-  int stress = -1;    ///< 6 entries, Kirchhoff stress [Pa]: xx, xy, xz, yy, yz, zz
-  int increment = -1; ///< D*D entries, dt grad v of the last step (split path)
-  int external = -1;  ///< D entries, external force per mass [m/s^2] (tractions, body forces)
+  int velocity = -1;   ///< D entries [m/s]
+  int affine = -1;     ///< D*D entries, B = 1/2 sum w v (x_i - x_p)^T in units of m/s x cells
+  int stress = -1;     ///< 6 entries, Kirchhoff stress [Pa]: xx, xy, xz, yy, yz, zz
+  int increment = -1;  ///< D*D entries, dt grad v of the last step (split path)
+  int external = -1;   ///< D entries, external force per mass [m/s^2] (tractions, body forces)
   int total = 0;
 };
 
 /// What went wrong with a particle in a pass.
 enum class FaultCode : std::int32_t {
   none = 0,
-  moved_too_far = 1,      ///< left its block's region within one step; value = displacement [cells]
-  inadmissible_state = 2, ///< the material cannot represent the state (det F <= 0, ...)
-  not_finite = 3,         ///< a velocity is not a number
-  left_domain = 4,        ///< beyond a closed face by more than a cell; value = depth [cells]
+  moved_too_far = 1,  ///< left its block's region within one step; value = displacement [cells]
+  inadmissible_state = 2,  ///< the material cannot represent the state (det F <= 0, ...)
+  not_finite = 3,          ///< a velocity is not a number
+  left_domain = 4,         ///< beyond a closed face by more than a cell; value = depth [cells]
 };
 
 /// What a pass over one block reports.
 template <class T>
 struct BlockResult {
-  T max_speed = 0;      ///< max over particles and axes of |v_a| [m/s]
-  T max_signal = 0;     ///< max of wave speed + |v| [m/s]
-  T max_excursion = 0;  ///< farthest stray outside the home region [cells]
+  T max_speed = 0;        ///< max over particles and axes of |v_a| [m/s]
+  T max_signal = 0;       ///< max of wave speed + |v| [m/s]
+  T max_excursion = 0;    ///< farthest stray outside the home region [cells]
   std::int32_t dead = 0;  ///< particles that left through an open face in this pass
   FaultCode fault = FaultCode::none;
   std::int64_t fault_id = -1;
@@ -43,15 +43,15 @@ struct BlockResult {
 /// Numbers that are the same for all blocks of a body in one pass.
 template <class T>
 struct PassParameters {
-  T dt = 0;           ///< step that the gathered velocities belong to [s]
-  T dt_next = 0;      ///< step that the scattered forces belong to [s]
-  T cell_size = 1;    ///< [m]
-  T particle_mass = 0;    ///< [kg] (2D: per metre)
-  T particle_volume = 0;  ///< reference volume V0 [m^3] (2D: m^2)
-  T flip_blend = 1;   ///< flip: share of the increment form, 0 = pic
-  bool record = false;    ///< fused pass: also store velocity, affine matrix and stress
+  T dt = 0;                     ///< step that the gathered velocities belong to [s]
+  T dt_next = 0;                ///< step that the scattered forces belong to [s]
+  T cell_size = 1;              ///< [m]
+  T particle_mass = 0;          ///< [kg] (2D: per metre)
+  T particle_volume = 0;        ///< reference volume V0 [m^3] (2D: m^2)
+  T flip_blend = 1;             ///< flip: share of the increment form, 0 = pic
+  bool record = false;          ///< fused pass: also store velocity, affine matrix and stress
   bool separate_force = false;  ///< scatter forces into channel 1 (flip, local damping)
-  T alive_lower[3];   ///< a particle outside [alive_lower, alive_upper) is removed [cells]
+  T alive_lower[3];  ///< a particle outside [alive_lower, alive_upper) is removed [cells]
   T alive_upper[3];
   T closed_lower[3];  ///< a particle outside these is a fault [cells]
   T closed_upper[3];
@@ -65,18 +65,18 @@ struct PassData {
   PassParameters<T> parameters;
   AuxLayout layout;
   int fields = 0;
-  T* particles = nullptr;        ///< batch b at particles + b * fields * width
-  T* aux = nullptr;              ///< batch b at aux + b * layout.total * width
+  T* particles = nullptr;  ///< batch b at particles + b * fields * width
+  T* aux = nullptr;        ///< batch b at aux + b * layout.total * width
   std::int64_t* ids = nullptr;
   const std::int32_t* batch_begin = nullptr;  ///< per body block
   const std::int32_t* batch_list = nullptr;
   const std::int32_t* counts = nullptr;
-  const std::int32_t* grid_block = nullptr;   ///< body block -> block of the topology
-  const std::int32_t* coords = nullptr;       ///< D block coordinates per body block
-  const std::int32_t* neighbours = nullptr;   ///< topology's table, 3^D per grid block
-  const T* read[2] = {nullptr, nullptr};      ///< grid channels gathered from
-  T* write[2] = {nullptr, nullptr};           ///< grid channels scattered to
-  BlockResult<T>* results = nullptr;          ///< one per body block
+  const std::int32_t* grid_block = nullptr;  ///< body block -> block of the topology
+  const std::int32_t* coords = nullptr;      ///< D block coordinates per body block
+  const std::int32_t* neighbours = nullptr;  ///< topology's table, 3^D per grid block
+  const T* read[2] = {nullptr, nullptr};     ///< grid channels gathered from
+  T* write[2] = {nullptr, nullptr};          ///< grid channels scattered to
+  BlockResult<T>* results = nullptr;         ///< one per body block
 };
 
 }  // namespace scree

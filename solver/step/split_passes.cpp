@@ -5,7 +5,7 @@
 
 namespace scree {
 
-#define SCREE_EXTERN(Kernel)                            \
+#define SCREE_EXTERN(Kernel)                             \
   extern template struct SplitKernel<Kernel, 2, float>;  \
   extern template struct SplitKernel<Kernel, 2, double>; \
   extern template struct SplitKernel<Kernel, 3, float>;  \
@@ -16,8 +16,8 @@ SCREE_EXTERN(Linear)
 #undef SCREE_EXTERN
 
 template <int D, class T>
-void run_p2g(KernelType kernel, TransferType transfer, Executor& executor, const PassData<D, T>& data,
-             const std::vector<std::int32_t>& blocks) {
+void run_p2g(KernelType kernel, TransferType transfer, Executor& executor,
+             const PassData<D, T>& data, const std::vector<std::int32_t>& blocks) {
   switch (kernel) {
     case KernelType::compact:
       return SplitKernel<Compact, D, T>::p2g(transfer, executor, data, blocks);
@@ -29,8 +29,8 @@ void run_p2g(KernelType kernel, TransferType transfer, Executor& executor, const
 }
 
 template <int D, class T>
-void run_g2p(KernelType kernel, TransferType transfer, Executor& executor, const PassData<D, T>& data,
-             const std::vector<std::int32_t>& blocks) {
+void run_g2p(KernelType kernel, TransferType transfer, Executor& executor,
+             const PassData<D, T>& data, const std::vector<std::int32_t>& blocks) {
   switch (kernel) {
     case KernelType::compact:
       return SplitKernel<Compact, D, T>::g2p(transfer, executor, data, blocks);
@@ -41,10 +41,10 @@ void run_g2p(KernelType kernel, TransferType transfer, Executor& executor, const
   }
 }
 
-#define SCREE_SPLIT(D, T)                                                                        \
-  template void run_p2g<D, T>(KernelType, TransferType, Executor&, const PassData<D, T>&,         \
-                              const std::vector<std::int32_t>&);                                  \
-  template void run_g2p<D, T>(KernelType, TransferType, Executor&, const PassData<D, T>&,         \
+#define SCREE_SPLIT(D, T)                                                                 \
+  template void run_p2g<D, T>(KernelType, TransferType, Executor&, const PassData<D, T>&, \
+                              const std::vector<std::int32_t>&);                          \
+  template void run_g2p<D, T>(KernelType, TransferType, Executor&, const PassData<D, T>&, \
                               const std::vector<std::int32_t>&);
 SCREE_SPLIT(2, float)
 SCREE_SPLIT(2, double)

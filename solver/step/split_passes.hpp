@@ -11,12 +11,12 @@ namespace scree {
 
 /// Particles to grid over the blocks of one colour.
 template <int D, class T>
-void run_p2g(KernelType kernel, TransferType transfer, Executor& executor, const PassData<D, T>& data,
-             const std::vector<std::int32_t>& blocks);
+void run_p2g(KernelType kernel, TransferType transfer, Executor& executor,
+             const PassData<D, T>& data, const std::vector<std::int32_t>& blocks);
 
 /// Grid to particles over blocks.
 template <int D, class T>
-void run_g2p(KernelType kernel, TransferType transfer, Executor& executor, const PassData<D, T>& data,
-             const std::vector<std::int32_t>& blocks);
+void run_g2p(KernelType kernel, TransferType transfer, Executor& executor,
+             const PassData<D, T>& data, const std::vector<std::int32_t>& blocks);
 
 }  // namespace scree

@@ -55,7 +55,8 @@ struct Compact {
   SCREE_FN static constexpr int first_node(int lattice) { return lattice == 0 ? 0 : -1; }
   static constexpr bool has_inverse_moment = true;
 
-  /// Everything about one particle's position (u: cells from the block's lower corner, in [0, 4.5)).
+  /// Everything about one particle's position (u: cells from the block's lower corner, in
+  /// [0, 4.5)).
   template <class V, int D>
   struct Point {
     Stencil<V, D, 2, 2> stencil;
@@ -114,7 +115,8 @@ struct Compact {
   /// Sherman-Morrison, D^-1 = diag(1/q) - t t^T/(1 + s.t), t = s/q. The order M D^-1 keeps the
   /// particle's virial symmetric.
   template <class V, int D>
-  SCREE_FN static void times_inverse_moment(const Point<V, D>& p, const V (&m)[D][D], V (&out)[D][D]) {
+  SCREE_FN static void times_inverse_moment(const Point<V, D>& p, const V (&m)[D][D],
+                                            V (&out)[D][D]) {
     using T = Scalar<V>;
     V t[D];
     V denominator = broadcast<V>(T(1));

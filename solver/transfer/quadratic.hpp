@@ -51,7 +51,8 @@ struct Quadratic {
 
   /// M D^-1.
   template <class V, int D>
-  SCREE_FN static void times_inverse_moment(const Point<V, D>&, const V (&m)[D][D], V (&out)[D][D]) {
+  SCREE_FN static void times_inverse_moment(const Point<V, D>&, const V (&m)[D][D],
+                                            V (&out)[D][D]) {
     for (int r = 0; r < D; ++r) {
       for (int a = 0; a < D; ++a) out[r][a] = m[r][a] * Scalar<V>(4);
     }

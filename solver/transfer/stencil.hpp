@@ -11,9 +11,9 @@ namespace scree {
 /// S: nodes an axis and lattice. Lengths are in cells.
 template <class V, int D, int L, int S>
 struct Stencil {
-  IntOf<V> base[L];     ///< arena index of the lowest node, lattice offset included
-  V weight[L][D][S];    ///< 1D weights; a node's weight is their product over the axes
-  V offset[L][D];       ///< lowest node minus particle [cells]
+  IntOf<V> base[L];   ///< arena index of the lowest node, lattice offset included
+  V weight[L][D][S];  ///< 1D weights; a node's weight is their product over the axes
+  V offset[L][D];     ///< lowest node minus particle [cells]
 };
 
 /// 1D weight derivatives d w / d x_p [1/cell], same shape as Stencil::weight.
