@@ -95,6 +95,11 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
       if (pair.ghost == pair.image) {
         plane_node<T, D>(type, friction, axis, outward, real);
         write_node<D>(image, real);
+        // So is the momentum before forces, or flip and local damping would see the wall's impulse.
+        for (int a = 0; separate && a < D; ++a) {
+          const bool held = a == axis || type == FaceType::sticky;
+          if (held && real.momentum[a] == T(0)) q[pair.image * node_values + a] = T(0);
+        }
         continue;
       }
       NodeMomentum<T> other = read_node<D>(ghost);
@@ -116,6 +121,21 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
       for (int a = 0; a < D; ++a) {
         q[pair.image * node_values + a] += before[a];
         q[pair.ghost * node_values + a] = T(0);
+      }
+    }
+  }
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
+  for (int axis = 0; axis < D; ++axis) {
+    for (const FacePair& pair : pairs_[axis]) {
+      if (faces_.type[axis][pair.side] != FaceType::periodic) continue;
+      T* image = channel.data() + pair.image * node_values;
+      T* ghost = channel.data() + pair.ghost * node_values;
+      for (int i = 0; i < node_values; ++i) {
+        image[i] += ghost[i];
+        ghost[i] = T(0);
       }
     }
   }

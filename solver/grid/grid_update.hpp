@@ -44,6 +44,9 @@ class GridUpdate {
   double apply(const Grid<D, T>& grid, AlignedVector<T>& channel_0, AlignedVector<T>& channel_1,
                const GridForces& forces, std::vector<Collider>& colliders, ThreadPool& pool);
 
+  /// Adds what lies beyond periodic faces to the images within, on momenta; before blocks change.
+  void fold_periodic(AlignedVector<T>& channel) const;
+
   /// Reactions of the last apply(), one a collider.
   const std::vector<Reaction>& reactions() const { return reactions_; }
 

@@ -158,6 +158,8 @@ void SimulationImpl<D, T>::bin_if_needed() {
   bounds_.max_excursion = 0;
   if (changed) {
     const Topology<D> before = grid_.topology();
+    // A particle that is moved to the other side takes along the blocks beyond the face.
+    if (fused_) grid_update_.fold_periodic(current_);
     refresh_blocks();
     if (fused_) grid_.carry_over(before, current_);
   } else {
