@@ -36,7 +36,7 @@ reference::Settings reference_settings(const SimulationSetup& setup) {
   settings.flip_blend = setup.flip_blend;
   if (setup.gravity) {
     const std::array<double, 3> g = setup.gravity(0.0);
-    settings.gravity = Vector(g[0], g[1], g[2]);
+    settings.gravity = Vector(g[0], g[1], setup.dimension == 3 ? g[2] : 0.0);
   }
   for (int axis = 0; axis < setup.dimension; ++axis)
     for (int side = 0; side < 2; ++side) add_face(settings, setup, axis, side);
