@@ -168,6 +168,7 @@ class CpuGroup {
   }
 
  protected:
+  using IndexLane = Scalar<Int>;
   typedef T Quad __attribute__((vector_size(4 * sizeof(T)), may_alias));
 
   T* read_arena(int channel) const { return arena_ + channel * Shape::values; }
@@ -195,36 +196,52 @@ class CpuGroup {
     for (int f = 0; f < data_.fields; ++f) __builtin_prefetch(p + f * width, 1);
   }
 
+  /// Writes a stencil to memory, so that single lanes can be read.
   template <int S, bool slopes>
-  void gather_impl(int channel, const Int& base, const V (&w)[D][S], const V (&alt)[D][S],
-                   V (&value)[D], V (&moment)[D][D]) const {
-    alignas(64) T weights[D][S][width];
-    alignas(64) T alts[D][S][width];
-    alignas(64) T records[width * LaneTranspose<T>::record];
-    alignas(64) T lanes[LaneTranspose<T>::record * width];
+  static void store_stencil(const Int& base, const V (&w)[D][S], const V (&alt)[D][S],
+                            IndexLane (&bases)[width], T (&weights)[D][S][width],
+                            T (&alts)[D][S][width]) {
+    scree::store(bases, base);
     for (int a = 0; a < D; ++a) {
       for (int s = 0; s < S; ++s) {
         scree::store(&weights[a][s][0], w[a][s]);
         if constexpr (slopes) scree::store(&alts[a][s][0], alt[a][s]);
       }
     }
+  }
+
+  /// The weights of one lane; without slopes the second set is n w.
+  template <int S, bool slopes>
+  static void lane_weights(const T (&weights)[D][S][width], const T (&alts)[D][S][width], int l,
+                           T (&w)[D][S], T (&alt)[D][S]) {
+    for (int a = 0; a < D; ++a) {
+      for (int s = 0; s < S; ++s) {
+        w[a][s] = weights[a][s][l];
+        alt[a][s] = slopes ? alts[a][s][l] : T(s) * w[a][s];
+      }
+    }
+  }
+
+  template <int S, bool slopes>
+  void gather_impl(int channel, const Int& base, const V (&w)[D][S], const V (&alt)[D][S],
+                   V (&value)[D], V (&moment)[D][D]) const {
+    alignas(64) T weights[D][S][width];
+    alignas(64) T alts[D][S][width];
+    alignas(64) IndexLane bases[width];
+    alignas(64) T records[width * LaneTranspose<T>::record];
+    alignas(64) T lanes[LaneTranspose<T>::record * width];
+    store_stencil<S, slopes>(base, w, alt, bases, weights, alts);
     for (int l = 0; l < width; ++l) {
       const Quad* nodes =
-          reinterpret_cast<const Quad*>(read_arena(channel) + std::size_t(lane(base, l)) * node_values);
+          reinterpret_cast<const Quad*>(read_arena(channel) + std::size_t(bases[l]) * node_values);
       T wl[D][S];
       T al[D][S];
-      for (int a = 0; a < D; ++a) {
-        for (int s = 0; s < S; ++s) {
-          wl[a][s] = weights[a][s][l];
-          al[a][s] = slopes ? alts[a][s][l] : T(s) * wl[a][s];
-        }
-      }
+      lane_weights<S, slopes>(weights, alts, l, wl, al);
       Quad sums[1 + D];
       gather_lane<S>(nodes, wl, al, sums);
-      for (int q = 0; q <= D; ++q) {
-        *reinterpret_cast<Quad*>(records + l * LaneTranspose<T>::record + 4 * q) = sums[q];
-      }
-      if constexpr (D == 2) *reinterpret_cast<Quad*>(records + l * 16 + 12) = Quad{};
+      Quad* record = reinterpret_cast<Quad*>(records + l * LaneTranspose<T>::record);
+      SCREE_UNROLL for (int q = 0; q <= D; ++q) record[q] = sums[q];
+      if constexpr (D == 2) record[3] = Quad{};
     }
     LaneTranspose<T>::to_lanes(records, lanes);
     for (int c = 0; c < D; ++c) {
@@ -279,31 +296,34 @@ class CpuGroup {
                     const V (&q)[D], const V& mass, const V (&m)[D][D], const V& mask) {
     alignas(64) T weights[D][S][width];
     alignas(64) T alts[D][S][width];
+    alignas(64) IndexLane bases[width];
+    alignas(64) T live[width];
     alignas(64) T lanes[LaneTranspose<T>::record * width];
     alignas(64) T records[width * LaneTranspose<T>::record];
-    std::memset(lanes, 0, sizeof lanes);
-    for (int a = 0; a < D; ++a) {
-      for (int s = 0; s < S; ++s) {
-        scree::store(&weights[a][s][0], w[a][s]);
-        if constexpr (slopes) scree::store(&alts[a][s][0], alt[a][s]);
-      }
-      scree::store(lanes + a * width, q[a]);
-      for (int c = 0; c < D; ++c) scree::store(lanes + (4 * (a + 1) + c) * width, m[c][a]);
-    }
-    scree::store(lanes + mass_slot * width, mass);
-    LaneTranspose<T>::to_records(lanes, records);
-    for (int l = 0; l < width; ++l) {
-      if (lane(mask, l) == T(0)) continue;
-      Quad* nodes =
-          reinterpret_cast<Quad*>(sum_arena(channel) + std::size_t(lane(base, l)) * node_values);
-      T wl[D][S];
-      T al[D][S];
-      for (int a = 0; a < D; ++a) {
-        for (int s = 0; s < S; ++s) {
-          wl[a][s] = weights[a][s][l];
-          al[a][s] = slopes ? alts[a][s][l] : T(s) * wl[a][s];
+    store_stencil<S, slopes>(base, w, alt, bases, weights, alts);
+    scree::store(live, mask);
+    const V none = broadcast<V>(T(0));
+    SCREE_UNROLL for (int q_index = 0; q_index < 4; ++q_index) {
+      SCREE_UNROLL for (int c = 0; c < 4; ++c) {
+        T* out = lanes + (4 * q_index + c) * width;
+        const bool used = q_index <= D && c < D;
+        if (q_index == 0 && c == mass_slot) {
+          scree::store(out, mass);
+        } else if (!used) {
+          scree::store(out, none);
+        } else {
+          scree::store(out, q_index == 0 ? q[c < D ? c : 0] : m[c < D ? c : 0][q_index > 0 ? q_index - 1 : 0]);
         }
       }
+    }
+    LaneTranspose<T>::to_records(lanes, records);
+    for (int l = 0; l < width; ++l) {
+      if (live[l] == T(0)) continue;
+      Quad* nodes =
+          reinterpret_cast<Quad*>(sum_arena(channel) + std::size_t(bases[l]) * node_values);
+      T wl[D][S];
+      T al[D][S];
+      lane_weights<S, slopes>(weights, alts, l, wl, al);
       scatter_lane<S>(nodes, wl, al, reinterpret_cast<const Quad*>(records + l * 16));
     }
   }

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <type_traits>
 #include <utility>
+
+#include "solver/base/config.hpp"
 
 namespace scree {
 
@@ -23,13 +24,13 @@ struct LaneTranspose {
   [[gnu::always_inline]] static inline void square(Native (&rows)[width]) {
     const Shuffle low = interleave(0, std::make_integer_sequence<int, width>{});
     const Shuffle high = interleave(width / 2, std::make_integer_sequence<int, width>{});
-    for (int round = 1; round < width; round *= 2) {
+    SCREE_UNROLL for (int round = 1; round < width; round *= 2) {
       Native next[width];
-      for (int i = 0; i < width / 2; ++i) {
+      SCREE_UNROLL for (int i = 0; i < width / 2; ++i) {
         next[2 * i] = __builtin_shuffle(rows[i], rows[i + width / 2], low);
         next[2 * i + 1] = __builtin_shuffle(rows[i], rows[i + width / 2], high);
       }
-      for (int i = 0; i < width; ++i) rows[i] = next[i];
+      SCREE_UNROLL for (int i = 0; i < width; ++i) rows[i] = next[i];
     }
   }
 
@@ -37,9 +38,9 @@ struct LaneTranspose {
   [[gnu::always_inline]] static inline void to_records(const T* in, T* out) {
     for (int c = 0; c < record / width; ++c) {
       Native rows[width];
-      std::memcpy(rows, in + c * width * width, sizeof rows);
+      SCREE_UNROLL for (int i = 0; i < width; ++i) rows[i] = at(in, c * width + i);
       square(rows);
-      for (int l = 0; l < width; ++l) std::memcpy(out + l * record + c * width, &rows[l], 64);
+      SCREE_UNROLL for (int l = 0; l < width; ++l) at(out, l * (record / width) + c) = rows[l];
     }
   }
 
@@ -47,13 +48,19 @@ struct LaneTranspose {
   [[gnu::always_inline]] static inline void to_lanes(const T* in, T* out) {
     for (int c = 0; c < record / width; ++c) {
       Native rows[width];
-      for (int l = 0; l < width; ++l) std::memcpy(&rows[l], in + l * record + c * width, 64);
+      SCREE_UNROLL for (int l = 0; l < width; ++l) rows[l] = at(in, l * (record / width) + c);
       square(rows);
-      std::memcpy(out + c * width * width, rows, sizeof rows);
+      SCREE_UNROLL for (int i = 0; i < width; ++i) at(out, c * width + i) = rows[i];
     }
   }
 
  private:
+  /// The i-th vector of 64 bytes behind p.
+  [[gnu::always_inline]] static inline Native& at(T* p, int i) { return reinterpret_cast<Native*>(p)[i]; }
+  [[gnu::always_inline]] static inline Native at(const T* p, int i) {
+    return reinterpret_cast<const Native*>(p)[i];
+  }
+
   template <int... I>
   [[gnu::always_inline]] static inline Shuffle interleave(int first, std::integer_sequence<int, I...>) {
     return Shuffle{Index(first + I / 2 + (I % 2) * width)...};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -29,6 +31,7 @@ struct FacePair {
 template <int D>
 using FacePairs = std::array<std::vector<FacePair>, D>;
 
+/// Nodes on a wall come last in an axis: in a domain one cell thick a ghost may fold onto one.
 template <int D, class T>
 FacePairs<D> find_face_pairs(const Grid<D, T>& grid, const GridDomain<D>& domain) {
   FacePairs<D> pairs;
@@ -46,7 +49,7 @@ FacePairs<D> find_face_pairs(const Grid<D, T>& grid, const GridDomain<D>& domain
           if (kind == FaceKind::none) continue;
           const std::int32_t at = node[axis];
           const std::int32_t image = kind == FaceKind::periodic
-                                         ? at + (side == 0 ? n : -n)
+                                         ? periodic_node(at, n)
                                          : mirrored_node(at, n, side, lattice);
           const bool wall = kind == FaceKind::mirror && image == at;
           const bool outside =
@@ -60,6 +63,15 @@ FacePairs<D> find_face_pairs(const Grid<D, T>& grid, const GridDomain<D>& domain
         }
       }
     }
+  }
+  // Walls last: in a domain one cell thick a ghost's image may lie on the opposite wall.
+  for (auto& axis : pairs) {
+    std::stable_partition(axis.begin(), axis.end(),
+                          [](const FacePair& pair) { return pair.ghost != pair.image; });
+  }
+  for (auto& axis : pairs) {
+    std::stable_partition(axis.begin(), axis.end(),
+                          [](const FacePair& pair) { return pair.ghost != pair.image; });
   }
   return pairs;
 }

@@ -35,7 +35,7 @@ void add_images(const BlockCoord<D>& c, int axis, const GridDomain<D>& domain,
       if (!outside) continue;
       for (int lattice = 0; lattice < domain.lattices; ++lattice) {
         const std::int32_t image = kind == FaceKind::periodic
-                                       ? node + (side == 0 ? n : -n)
+                                       ? periodic_node(node, n)
                                        : mirrored_node(node, n, side, lattice);
         BlockCoord<D> b = c;
         b[axis] = block_of_node(image);

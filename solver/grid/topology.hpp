@@ -26,6 +26,11 @@ constexpr std::int32_t mirrored_node(std::int32_t index, std::int32_t cells, int
   return (side == 0 ? 0 : 2 * cells) - lattice - index;
 }
 
+/// Node within [0, cells) that a node beyond periodic faces repeats.
+constexpr std::int32_t periodic_node(std::int32_t index, std::int32_t cells) {
+  return ((index % cells) + cells) % cells;
+}
+
 /// The set of blocks that hold nodes, sorted by key, with their neighbours.
 ///
 /// Built from the blocks that hold particles: those, all their neighbours, and the blocks that hold

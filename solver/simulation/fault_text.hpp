@@ -26,4 +26,8 @@ std::string fault_text(const ParticleFault& fault);
 /// The grid does not hold the particles' mass.
 std::string mass_fault_text(std::int64_t step, double grid_mass, double particle_mass);
 
+/// Particles got lost (or doubled) between the blocks.
+std::string count_fault_text(std::int64_t step, std::int64_t present, std::int64_t removed,
+                             std::int64_t initial);
+
 }  // namespace scree

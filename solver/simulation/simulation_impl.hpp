@@ -81,6 +81,7 @@ class SimulationImpl final : public Simulation {
   double stable_dt() const;
   [[noreturn]] void fail(const State& state, std::size_t block) const;
   void check_mass(double grid_mass) const;
+  void check_count() const;
   void time_phase(Phase phase, std::chrono::steady_clock::time_point start) {
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     seconds_[std::size_t(phase)] += spent.count();
@@ -95,7 +96,6 @@ class SimulationImpl final : public Simulation {
                     std::vector<double>& velocity) const;
   /// The grid that holds the velocities of the last step.
   const AlignedVector<T>& velocity_channel() const { return fused_ ? next_ : current_; }
-  void fill_field(ParticleSnapshot& out, const std::string& name) const;
 
   SimulationSetup setup_;
   bool fused_ = true;
@@ -117,6 +117,7 @@ class SimulationImpl final : public Simulation {
   MotionBounds bounds_;
   std::int64_t step_ = 0;
   std::int64_t removed_ = 0;
+  std::int64_t initial_count_ = 0;
   std::int64_t pending_dead_ = 0;  ///< particles marked dead that the next binning drops
   bool recorded_ = true;           ///< aux fields hold the state at time()
   double scattered_mass_ = 0;

@@ -93,6 +93,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
     setup_.tractions.clear();
   }
   setup_.bodies.clear();
+  initial_count_ = particle_count();
   refresh_blocks();
   first_step();
 }
@@ -172,6 +173,9 @@ void SimulationImpl<D, T>::place_particles(const BodySetup& setup, State& state)
     std::array<double, 3> local{};
     for (int a = 0; a < D; ++a) {
       cells[a] = (setup.position[3 * p + a] - setup_.lower[a]) / setup_.cell_size;
+      if (!(cells[a] >= 0 && cells[a] <= setup_.cells[a])) {
+        throw UserError("a particle of body " + setup.name + " lies outside the domain");
+      }
     }
     const std::uint64_t key = block_key<D>(home_block<D>(cells, local));
     const std::int64_t slot = store.append(key, state.first_id + std::int64_t(p));

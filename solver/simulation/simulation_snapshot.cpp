@@ -12,44 +12,107 @@ namespace {
 
 constexpr int sym_index[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
+enum class Quantity { velocity, stress, pressure, mass, volume, displacement, state };
+
 struct BuiltInField {
   const char* name;
   const char* unit;
   int components;
+  Quantity quantity;
 };
 
 constexpr BuiltInField built_in_fields[] = {
-    {"velocity", "m/s", 3}, {"stress", "Pa", 9},  {"pressure", "Pa", 1},
-    {"mass", "kg", 1},      {"volume", "m^3", 1}, {"displacement", "m", 3},
+    {"velocity", "m/s", 3, Quantity::velocity},
+    {"stress", "Pa", 9, Quantity::stress},
+    {"pressure", "Pa", 1, Quantity::pressure},
+    {"mass", "kg", 1, Quantity::mass},
+    {"volume", "m^3", 1, Quantity::volume},
+    {"displacement", "m", 3, Quantity::displacement},
 };
 
-const BuiltInField* find_built_in(const std::string& name) {
-  for (const BuiltInField& field : built_in_fields) {
-    if (name == field.name) return &field;
-  }
-  return nullptr;
-}
+/// Where a field's values come from.
+struct FieldSource {
+  Quantity quantity = Quantity::state;
+  std::vector<int> first;  ///< state: per body, first entry of the column; -1 = the body has none
+};
 
 /// Cauchy stress is Kirchhoff stress over J; pressure is compression positive.
-void write_built_in(const std::string& name, const ParticleView& p, const BodyInfo& info,
+void write_built_in(Quantity quantity, const ParticleView& p, const BodyInfo& info,
                     const double* reference, double* out) {
-  if (name == "velocity") {
-    std::copy(p.velocity.begin(), p.velocity.end(), out);
-  } else if (name == "stress") {
-    for (int i = 0; i < 9; ++i) out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
-  } else if (name == "pressure") {
-    out[0] = -(p.kirchhoff[0] + p.kirchhoff[3] + p.kirchhoff[5]) / (3 * p.volume_ratio);
-  } else if (name == "mass") {
-    out[0] = info.particle_mass();
-  } else if (name == "volume") {
-    out[0] = info.particle_volume * p.volume_ratio;
-  } else if (name == "displacement") {
-    for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
+  switch (quantity) {
+    case Quantity::velocity:
+      std::copy(p.velocity.begin(), p.velocity.end(), out);
+      return;
+    case Quantity::stress:
+      for (int i = 0; i < 9; ++i) out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
+      return;
+    case Quantity::pressure:
+      out[0] = -(p.kirchhoff[0] + p.kirchhoff[3] + p.kirchhoff[5]) / (3 * p.volume_ratio);
+      return;
+    case Quantity::mass:
+      out[0] = info.particle_mass();
+      return;
+    case Quantity::volume:
+      out[0] = info.particle_volume * p.volume_ratio;
+      return;
+    case Quantity::displacement:
+      for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
+      return;
+    case Quantity::state:
+      return;
   }
+}
+
+/// The field `name`, empty, and where its values come from. Throws UserError for an unknown name.
+template <int D, class T>
+FieldSource find_field(const std::vector<BodyState<D, T>>& bodies, const std::string& name,
+                       SnapshotField& field) {
+  FieldSource source;
+  field.name = name;
+  for (const BuiltInField& known : built_in_fields) {
+    if (name != known.name) continue;
+    field.unit = known.unit;
+    field.components = known.components;
+    source.quantity = known.quantity;
+    return source;
+  }
+  field.components = 0;
+  for (const BodyState<D, T>& state : bodies) {
+    source.first.push_back(-1);
+    for (const StateColumn& column : state.body->columns()) {
+      if (column.name != name) continue;
+      field.unit = column.unit;
+      field.components = column.components;
+      source.first.back() = column.first;
+    }
+  }
+  if (field.components == 0) throw UserError("there is no output field \"" + name + "\"");
+  return source;
+}
+
+/// Row of each id among the living particles, -1 for those that left.
+template <int D, class T>
+std::vector<std::int64_t> rows_by_id(const std::vector<BodyState<D, T>>& bodies,
+                                     std::vector<std::int64_t>& ids) {
+  for (const BodyState<D, T>& state : bodies) {
+    const ParticleStore<D, T>& store = state.body->store();
+    for (const auto& block : store.blocks()) {
+      for (int i = 0; i < block.count; ++i) {
+        constexpr int width = ParticleStore<D, T>::width;
+        const std::int64_t id = store.ids(block.batches[std::size_t(i / width)])[i % width];
+        if (id >= 0) ids.push_back(id);
+      }
+    }
+  }
+  std::sort(ids.begin(), ids.end());
+  std::vector<std::int64_t> rows(ids.empty() ? 0 : std::size_t(ids.back()) + 1, -1);
+  for (std::size_t r = 0; r < ids.size(); ++r) rows[std::size_t(ids[r])] = std::int64_t(r);
+  return rows;
 }
 
 }  // namespace
 
+/// A body whose material lacks a field gets NaN there: nothing is made up for it.
 template <int D, class T>
 ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>& fields) const {
   require_record("particles");
@@ -57,80 +120,44 @@ ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>&
   out.time = clock_.time;
   out.step = step_;
   out.dimension = D;
-  // Rows in the order of ids: particles that left make gaps, which the ranks close.
-  std::vector<std::int64_t> ids;
-  for (const State& state : bodies_) {
-    for (std::size_t b = 0; b < state.body->store().blocks().size(); ++b) {
-      visit_block(state, b, [&](const ParticleView& p) { ids.push_back(p.id); });
-    }
-  }
-  std::sort(ids.begin(), ids.end());
-  const std::size_t n = ids.size();
+  const std::vector<std::int64_t> rows = rows_by_id(bodies_, out.id);
+  const std::size_t n = out.id.size();
   out.position.resize(3 * n);
   out.material.resize(n);
   out.body.resize(n);
-  for (const State& state : bodies_) {
-    for (std::size_t b = 0; b < state.body->store().blocks().size(); ++b) {
-      visit_block(state, b, [&](const ParticleView& p) {
-        const std::size_t row =
-            std::size_t(std::lower_bound(ids.begin(), ids.end(), p.id) - ids.begin());
-        for (int a = 0; a < 3; ++a) out.position[3 * row + a] = p.position[std::size_t(a)];
-        out.material[row] = state.body->info().material_index;
-        out.body[row] = state.body->info().body_index;
-      });
-    }
+  std::vector<FieldSource> sources;
+  for (const std::string& name : fields) {
+    out.fields.emplace_back();
+    sources.push_back(find_field(bodies_, name, out.fields.back()));
+    out.fields.back().values.assign(n * std::size_t(out.fields.back().components),
+                                    std::numeric_limits<double>::quiet_NaN());
   }
-  out.id = std::move(ids);
-  for (const std::string& name : fields) fill_field(out, name);
+  for (const State& state : bodies_) {
+    const BodyInfo& info = state.body->info();
+    const auto write = [&](const ParticleView& p) {
+      const std::size_t row = std::size_t(rows[std::size_t(p.id)]);
+      std::copy(p.position.begin(), p.position.end(), &out.position[3 * row]);
+      out.material[row] = info.material_index;
+      out.body[row] = info.body_index;
+      const double* reference = reference_.empty() ? nullptr : &reference_[3 * std::size_t(p.id)];
+      for (std::size_t f = 0; f < sources.size(); ++f) {
+        const std::size_t components = std::size_t(out.fields[f].components);
+        double* value = &out.fields[f].values[row * components];
+        write_built_in(sources[f].quantity, p, info, reference, value);
+        if (sources[f].quantity != Quantity::state) continue;
+        const int first = sources[f].first[std::size_t(info.body_index)];
+        if (first < 0) continue;
+        const T* entries = state.body->store().batch(p.batch) + p.lane;
+        for (std::size_t c = 0; c < components; ++c) {
+          value[c] = double(entries[(std::size_t(D + first) + c) * ParticleStore<D, T>::width]);
+        }
+      }
+    };
+    executor_.pool().for_each(
+        std::int64_t(state.body->store().blocks().size()),
+        [&](std::int64_t b, int) { visit_block(state, std::size_t(b), write); }, 4);
+  }
   return out;
-}
-
-/// A body whose material lacks the field gets NaN: nothing is made up for it.
-template <int D, class T>
-void SimulationImpl<D, T>::fill_field(ParticleSnapshot& out, const std::string& name) const {
-  SnapshotField field;
-  field.name = name;
-  field.components = 0;
-  const BuiltInField* built_in = find_built_in(name);
-  if (built_in != nullptr) {
-    field.unit = built_in->unit;
-    field.components = built_in->components;
-  }
-  for (const State& state : bodies_) {
-    for (const StateColumn& column : state.body->columns()) {
-      if (built_in != nullptr || column.name != name) continue;
-      field.unit = column.unit;
-      field.components = column.components;
-    }
-  }
-  if (field.components == 0) throw UserError("there is no output field \"" + name + "\"");
-  const std::size_t width = std::size_t(field.components);
-  field.values.assign(out.id.size() * width, std::numeric_limits<double>::quiet_NaN());
-  for (const State& state : bodies_) {
-    const StateColumn* column = nullptr;
-    for (const StateColumn& c : state.body->columns()) {
-      if (c.name == name) column = &c;
-    }
-    if (built_in == nullptr && column == nullptr) continue;
-    const ParticleStore<D, T>& store = state.body->store();
-    for (std::size_t b = 0; b < store.blocks().size(); ++b) {
-      visit_block(state, b, [&](const ParticleView& p) {
-        const auto it = std::lower_bound(out.id.begin(), out.id.end(), p.id);
-        double* value = &field.values[std::size_t(it - out.id.begin()) * width];
-        if (built_in != nullptr) {
-          const std::size_t at = reference_.empty() ? 0 : 3 * std::size_t(p.id);
-          write_built_in(name, p, state.body->info(), reference_.data() + at, value);
-          return;
-        }
-        const T* batch = store.batch(p.batch);
-        for (std::size_t c = 0; c < width; ++c) {
-          const std::size_t entry = std::size_t(D + column->first) + c;
-          value[c] = double(batch[entry * ParticleStore<D, T>::width + std::size_t(p.lane)]);
-        }
-      });
-    }
-  }
-  out.fields.push_back(std::move(field));
 }
 
 template <int D, class T>

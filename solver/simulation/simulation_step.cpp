@@ -138,6 +138,12 @@ void SimulationImpl<D, T>::check_mass(double grid_mass) const {
 }
 
 template <int D, class T>
+void SimulationImpl<D, T>::check_count() const {
+  if (particle_count() + removed_ == initial_count_) return;
+  throw RunFault(count_fault_text(step_ + 1, particle_count(), removed_, initial_count_));
+}
+
+template <int D, class T>
 void SimulationImpl<D, T>::bin_if_needed() {
   // A particle may speed up within the coming step: allow for twice its speed, the kick of gravity
   // and a share of the sound speed. Beyond a quarter cell binning cannot help; then it is a fault.
@@ -313,6 +319,7 @@ void SimulationImpl<D, T>::finish_step() {
   clock_.dt = planned_.dt;
   clock_.next_time = planned_.end;
   ++step_;
+  check_count();
 }
 
 template class SimulationImpl<2, float>;
