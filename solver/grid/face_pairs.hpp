@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -31,7 +30,6 @@ struct FacePair {
 template <int D>
 using FacePairs = std::array<std::vector<FacePair>, D>;
 
-/// Nodes on a wall come last in an axis: in a domain one cell thick a ghost may fold onto one.
 template <int D, class T>
 FacePairs<D> find_face_pairs(const Grid<D, T>& grid, const GridDomain<D>& domain) {
   FacePairs<D> pairs;
@@ -65,10 +63,6 @@ FacePairs<D> find_face_pairs(const Grid<D, T>& grid, const GridDomain<D>& domain
     }
   }
   // Walls last: in a domain one cell thick a ghost's image may lie on the opposite wall.
-  for (auto& axis : pairs) {
-    std::stable_partition(axis.begin(), axis.end(),
-                          [](const FacePair& pair) { return pair.ghost != pair.image; });
-  }
   for (auto& axis : pairs) {
     std::stable_partition(axis.begin(), axis.end(),
                           [](const FacePair& pair) { return pair.ghost != pair.image; });

@@ -12,53 +12,53 @@ namespace {
 
 constexpr int sym_index[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
-enum class Quantity { velocity, stress, pressure, mass, volume, displacement, state };
+enum class FieldQuantity { velocity, stress, pressure, mass, volume, displacement, state };
 
 struct BuiltInField {
   const char* name;
   const char* unit;
   int components;
-  Quantity quantity;
+  FieldQuantity quantity;
 };
 
 constexpr BuiltInField built_in_fields[] = {
-    {"velocity", "m/s", 3, Quantity::velocity},
-    {"stress", "Pa", 9, Quantity::stress},
-    {"pressure", "Pa", 1, Quantity::pressure},
-    {"mass", "kg", 1, Quantity::mass},
-    {"volume", "m^3", 1, Quantity::volume},
-    {"displacement", "m", 3, Quantity::displacement},
+    {"velocity", "m/s", 3, FieldQuantity::velocity},
+    {"stress", "Pa", 9, FieldQuantity::stress},
+    {"pressure", "Pa", 1, FieldQuantity::pressure},
+    {"mass", "kg", 1, FieldQuantity::mass},
+    {"volume", "m^3", 1, FieldQuantity::volume},
+    {"displacement", "m", 3, FieldQuantity::displacement},
 };
 
 /// Where a field's values come from.
 struct FieldSource {
-  Quantity quantity = Quantity::state;
+  FieldQuantity quantity = FieldQuantity::state;
   std::vector<int> first;  ///< state: per body, first entry of the column; -1 = the body has none
 };
 
 /// Cauchy stress is Kirchhoff stress over J; pressure is compression positive.
-void write_built_in(Quantity quantity, const ParticleView& p, const BodyInfo& info,
+void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInfo& info,
                     const double* reference, double* out) {
   switch (quantity) {
-    case Quantity::velocity:
+    case FieldQuantity::velocity:
       std::copy(p.velocity.begin(), p.velocity.end(), out);
       return;
-    case Quantity::stress:
+    case FieldQuantity::stress:
       for (int i = 0; i < 9; ++i) out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
       return;
-    case Quantity::pressure:
+    case FieldQuantity::pressure:
       out[0] = -(p.kirchhoff[0] + p.kirchhoff[3] + p.kirchhoff[5]) / (3 * p.volume_ratio);
       return;
-    case Quantity::mass:
+    case FieldQuantity::mass:
       out[0] = info.particle_mass();
       return;
-    case Quantity::volume:
+    case FieldQuantity::volume:
       out[0] = info.particle_volume * p.volume_ratio;
       return;
-    case Quantity::displacement:
+    case FieldQuantity::displacement:
       for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
       return;
-    case Quantity::state:
+    case FieldQuantity::state:
       return;
   }
 }
@@ -144,7 +144,7 @@ ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>&
         const std::size_t components = std::size_t(out.fields[f].components);
         double* value = &out.fields[f].values[row * components];
         write_built_in(sources[f].quantity, p, info, reference, value);
-        if (sources[f].quantity != Quantity::state) continue;
+        if (sources[f].quantity != FieldQuantity::state) continue;
         const int first = sources[f].first[std::size_t(info.body_index)];
         if (first < 0) continue;
         const T* entries = state.body->store().batch(p.batch) + p.lane;
