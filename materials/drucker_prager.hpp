@@ -96,13 +96,16 @@ struct DruckerPrager {
     const V mean = (trial[0] + trial[1] + trial[2]) * T(1.0 / 3.0) + shift;
     const Vec3<V> deviator = {
         {trial[0] + shift - mean, trial[1] + shift - mean, trial[2] + shift - mean}};
-    const V length = norm(deviator);
+    // The small number only keeps 0/0 away; strains are far above its root or zero.
+    const V square = dot(deviator, deviator) + (sizeof(T) == 4 ? T(1e-30) : T(1e-200));
+    const V inverse_length = rsqrt(square);
+    const V length = square * inverse_length;
     const V excess = (length + p.cone * (T(3) * mean)) * p.consistency;
     const auto tip = mean >= T(0);
     // 3. Return to the tip, to the cone (flow n + a I), or nothing: `flow` and `dilation` are zero
     // then.
     const V flow = select(tip, T(0), max(excess, broadcast<V>(0)));
-    const V turned = flow / max(length, broadcast<V>(sizeof(T) == 4 ? T(1e-30) : T(1e-200)));
+    const V turned = flow * inverse_length;
     const V closing = s.volume_correction * T(1.0 / 3.0) - p.dilation * flow;
     Vec3<V> change, strain;
     SCREE_UNROLL for (int i = 0; i < 3; ++i) {

@@ -110,7 +110,7 @@ SCREE_FN V log(V x) {
   const auto k = (bits - Bits(C::sqrt_half_bits)) >> C::mantissa_bits;
   const V f = from_bits(bits - (k << C::mantissa_bits)) - T(1);
   const V n = from_bits(k + Bits(C::magic_bits)) - C::magic;
-  const V s = f / (f + T(2));
+  const V s = f * rcp(f + T(2));
   const V z = s * s;
   const V half_square = T(0.5) * f * f;
   const V tail = mul_add(s, half_square + z * detail::log_tail(z), n * C::ln2_lo);
@@ -124,7 +124,7 @@ SCREE_FN V log1p(V x) {
   using T = Scalar<V>;
   const V u = T(1) + x;
   const V lost = x - (u - T(1));  // what rounding took from 1 + x, exactly
-  return log(u) + lost / u;
+  return log(u) + lost * rcp(u);
 }
 
 /// e^x; error below 1.5 units in the last place. x is limited to [-87, 88] (float), [-708, 709]

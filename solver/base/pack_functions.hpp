@@ -167,8 +167,6 @@ SCREE_FN float sqrt(float a) { return ::sqrtf(a); }
 SCREE_FN double sqrt(double a) { return ::sqrt(a); }
 SCREE_FN float fma(float a, float b, float c) { return ::fmaf(a, b, c); }
 SCREE_FN double fma(double a, double b, double c) { return ::fma(a, b, c); }
-SCREE_FN float rsqrt(float a) { return 1.0f / ::sqrtf(a); }
-SCREE_FN double rsqrt(double a) { return 1.0 / ::sqrt(a); }
 SCREE_FN int to_int(float a) { return int(a); }
 SCREE_FN int to_int(double a) { return int(a); }
 
@@ -252,13 +250,6 @@ SCREE_FN Pack<T, W> sqrt(Pack<T, W> a) {
   }
 }
 
-/// 1/sqrt(a), a > 0, by a correctly rounded root and division (error below 1.5 units in the last
-/// place).
-template <class T, int W>
-SCREE_FN Pack<T, W> rsqrt(Pack<T, W> a) {
-  return T(1) / sqrt(a);
-}
-
 /// a b + c with one rounding.
 template <class T, int W>
 SCREE_FN Pack<T, W> fma(Pack<T, W> a, Pack<T, W> b, Pack<T, W> c) {
@@ -284,6 +275,75 @@ SCREE_FN V mul_add(V a, V b, V c) {
 #else
   return a * b + c;
 #endif
+}
+
+#ifdef SCREE_AVX512
+namespace detail {
+// Approximations of the machine with a relative error below 2^-14; no floating-point exceptions.
+SCREE_FN float rsqrt14(float a) {
+  return _mm_cvtss_f32(_mm_maskz_rsqrt14_ss(__mmask8(1), _mm_set_ss(a), _mm_set_ss(a)));
+}
+SCREE_FN double rsqrt14(double a) {
+  return _mm_cvtsd_f64(_mm_maskz_rsqrt14_sd(__mmask8(1), _mm_set_sd(a), _mm_set_sd(a)));
+}
+SCREE_FN Lanes<float> rsqrt14(Lanes<float> a) {
+  return {Lanes<float>::Vector(_mm512_maskz_rsqrt14_ps(every_lane, __m512(a.v)))};
+}
+SCREE_FN Lanes<double> rsqrt14(Lanes<double> a) {
+  return {Lanes<double>::Vector(_mm512_maskz_rsqrt14_pd(every_lane, __m512d(a.v)))};
+}
+SCREE_FN float rcp14(float a) {
+  return _mm_cvtss_f32(_mm_maskz_rcp14_ss(__mmask8(1), _mm_set_ss(a), _mm_set_ss(a)));
+}
+SCREE_FN double rcp14(double a) {
+  return _mm_cvtsd_f64(_mm_maskz_rcp14_sd(__mmask8(1), _mm_set_sd(a), _mm_set_sd(a)));
+}
+SCREE_FN Lanes<float> rcp14(Lanes<float> a) {
+  return {Lanes<float>::Vector(_mm512_maskz_rcp14_ps(every_lane, __m512(a.v)))};
+}
+SCREE_FN Lanes<double> rcp14(Lanes<double> a) {
+  return {Lanes<double>::Vector(_mm512_maskz_rcp14_pd(every_lane, __m512d(a.v)))};
+}
+template <class V>
+concept HasApproximations = requires(V a) {
+  rsqrt14(a);
+};
+}  // namespace detail
+#endif
+
+/// 1/sqrt(a) for positive normal a whose root is normal; error below 2 units in the last place.
+/// Newton steps from the machine's approximation where there is one (scalars use it too, so that
+/// lanes and scalars agree): 512-bit roots and divisions are several times slower.
+template <class V>
+SCREE_FN V rsqrt(V a) {
+#ifdef SCREE_AVX512
+  if constexpr (detail::HasApproximations<V>) {
+    using T = Scalar<V>;
+    const V one = broadcast<V>(T(1));
+    V y = detail::rsqrt14(a);
+    SCREE_UNROLL for (int i = 0; i < (sizeof(T) == 4 ? 1 : 2); ++i) {
+      y = fma(T(0.5) * y, fma(-(a * y), y, one), y);
+    }
+    return y;
+  }
+#endif
+  return Scalar<V>(1) / sqrt(a);
+}
+
+/// 1/a for normal a whose reciprocal is normal; error below 2 units in the last place, as rsqrt.
+template <class V>
+SCREE_FN V rcp(V a) {
+#ifdef SCREE_AVX512
+  if constexpr (detail::HasApproximations<V>) {
+    const V one = broadcast<V>(Scalar<V>(1));
+    V y = detail::rcp14(a);
+    SCREE_UNROLL for (int i = 0; i < (sizeof(Scalar<V>) == 4 ? 1 : 2); ++i) {
+      y = fma(y, fma(-a, y, one), y);
+    }
+    return y;
+  }
+#endif
+  return Scalar<V>(1) / a;
 }
 
 /// Conversion to integers, towards zero; the value must fit.

@@ -43,7 +43,7 @@ SCREE_FN Mat3<V> polar_rotation(const Mat3<V>& f) {
   for (int iteration = 0; iteration < Limits::iterations && any(active); ++iteration) {
     const Mat3<V> c = cofactor(r);
     const V d = r(0, 0) * c(0, 0) + r(0, 1) * c(0, 1) + r(0, 2) * c(0, 2);
-    const V half_inverse = T(0.5) / d;
+    const V half_inverse = T(0.5) * rcp(d);
     V change = broadcast<V>(0);
     SCREE_UNROLL for (int i = 0; i < 3; ++i) {
       SCREE_UNROLL for (int j = 0; j < 3; ++j) {

@@ -62,19 +62,19 @@ class EigenTest : public ::testing::Test {
 TYPED_TEST_SUITE(EigenTest, testing::LaneTypes);
 
 TYPED_TEST(EigenTest, RandomTensors) {
-  this->expect_decompositions(50000 / lanes_of<TypeParam>, 10,
+  this->expect_decompositions(50000 / lanes_of<TypeParam>, 16,
                               [&] { return this->source.entries(1); });
 }
 
 TYPED_TEST(EigenTest, LeftCauchyGreenOfStrongStretch) {
-  this->expect_decompositions(50000 / lanes_of<TypeParam>, 10, [&] {
+  this->expect_decompositions(50000 / lanes_of<TypeParam>, 16, [&] {
     auto square = [&] { return std::pow(this->source.uniform(0.3, 3), 2); };
     return this->with_values(square(), square(), square());
   });
 }
 
 TYPED_TEST(EigenTest, RepeatedNearlyRepeatedAndZeroValues) {
-  this->expect_decompositions(20000 / lanes_of<TypeParam>, 10, [&] {
+  this->expect_decompositions(20000 / lanes_of<TypeParam>, 16, [&] {
     const double a = this->source.uniform(-2, 2), kind = this->source.uniform(0, 5);
     const double near = a * (1 + 1e-6 * this->source.uniform(-1, 1));
     if (kind < 1) return this->with_values(a, a, a);
@@ -86,7 +86,7 @@ TYPED_TEST(EigenTest, RepeatedNearlyRepeatedAndZeroValues) {
 }
 
 TYPED_TEST(EigenTest, GradedAndWidelyScaledTensors) {
-  this->expect_decompositions(20000 / lanes_of<TypeParam>, 10, [&] {
+  this->expect_decompositions(20000 / lanes_of<TypeParam>, 16, [&] {
     const double scale = std::pow(10.0, this->source.uniform(-6, 9));
     auto value = [&] { return scale * std::pow(10.0, this->source.uniform(-6, 0)); };
     return this->with_values(value(), value(), value());
