@@ -15,8 +15,7 @@ inline constexpr int every_lane = -1;
 }  // namespace detail
 #endif
 
-// ---- broadcast, memory, single lanes
-// ------------------------------------------------------------------------------------------
+// ---- broadcast, memory, single lanes ----
 
 /// V with x in every lane.
 template <class V>
@@ -72,8 +71,7 @@ SCREE_FN void set_lane(V& x, int i, Scalar<V> value) {
   }
 }
 
-// ---- masks
-// --------------------------------------------------------------------------------------------------------------------
+// ---- masks ----
 
 SCREE_FN bool any(bool m) { return m; }
 SCREE_FN bool all(bool m) { return m; }
@@ -152,8 +150,7 @@ SCREE_FN Pack<T, W> select(Mask<T, W> m, std::type_identity_t<T> a, Pack<T, W> b
   return select(m, Pack<T, W>::all_of(a), b);
 }
 
-// ---- min, max, abs, rounding, roots
-// -------------------------------------------------------------------------------------------
+// ---- min, max, abs, rounding, roots ----
 
 SCREE_FN float min(float a, float b) { return a < b ? a : b; }
 SCREE_FN double min(double a, double b) { return a < b ? a : b; }
@@ -359,8 +356,7 @@ SCREE_FN IntOf<Pack<T, W>> to_int(Pack<T, W> a) {
 #endif
 }
 
-// ---- bits
-// ---------------------------------------------------------------------------------------------------------------------
+// ---- bits ----
 
 #if defined(__CUDA_ARCH__)
 SCREE_FN std::int32_t to_bits(float a) { return __float_as_int(a); }

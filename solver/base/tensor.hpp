@@ -36,8 +36,7 @@ struct Sym3 {
   }
 };
 
-// ---- vectors
-// ------------------------------------------------------------------------------------------------------------------
+// ---- vectors ----
 
 template <class V>
 SCREE_FN Vec3<V> operator+(const Vec3<V>& a, const Vec3<V>& b) {
@@ -64,8 +63,7 @@ SCREE_FN V norm(const Vec3<V>& a) {
   return sqrt(dot(a, a));
 }
 
-// ---- matrices
-// -----------------------------------------------------------------------------------------------------------------
+// ---- matrices ----
 
 template <class V>
 SCREE_FN Mat3<V> zero3() {
@@ -80,22 +78,25 @@ SCREE_FN Mat3<V> identity3() {
 template <class V>
 SCREE_FN Mat3<V> operator+(const Mat3<V>& a, const Mat3<V>& b) {
   Mat3<V> r;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) =
-      a(i, j) + b(i, j);
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) = a(i, j) + b(i, j);
+  }
   return r;
 }
 template <class V>
 SCREE_FN Mat3<V> operator-(const Mat3<V>& a, const Mat3<V>& b) {
   Mat3<V> r;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) =
-      a(i, j) - b(i, j);
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) = a(i, j) - b(i, j);
+  }
   return r;
 }
 template <class V>
 SCREE_FN Mat3<V> operator*(const Mat3<V>& a, std::type_identity_t<V> b) {
   Mat3<V> r;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) =
-      a(i, j) * b;
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) = a(i, j) * b;
+  }
   return r;
 }
 template <class V>
@@ -107,8 +108,11 @@ SCREE_FN Vec3<V> operator*(const Mat3<V>& a, const Vec3<V>& b) {
 template <class V>
 SCREE_FN Mat3<V> operator*(const Mat3<V>& a, const Mat3<V>& b) {
   Mat3<V> r;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) =
-      a(i, 0) * b(0, j) + a(i, 1) * b(1, j) + a(i, 2) * b(2, j);
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) {
+      r(i, j) = a(i, 0) * b(0, j) + a(i, 1) * b(1, j) + a(i, 2) * b(2, j);
+    }
+  }
   return r;
 }
 template <class V>
@@ -118,8 +122,9 @@ SCREE_FN Mat3<V> mul(const Mat3<V>& a, const Mat3<V>& b) {
 template <class V>
 SCREE_FN Mat3<V> transpose(const Mat3<V>& a) {
   Mat3<V> r;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) =
-      a(j, i);
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) = a(j, i);
+  }
   return r;
 }
 template <class V>
@@ -130,9 +135,11 @@ SCREE_FN V trace(const Mat3<V>& a) {
 template <class V>
 SCREE_FN Mat3<V> cofactor(const Mat3<V>& a) {
   Mat3<V> r;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) {
-    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-    r(i, j) = a(i1, j1) * a(i2, j2) - a(i1, j2) * a(i2, j1);
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      r(i, j) = a(i1, j1) * a(i2, j2) - a(i1, j2) * a(i2, j1);
+    }
   }
   return r;
 }
@@ -154,13 +161,13 @@ SCREE_FN Mat3<V> inverse(const Mat3<V>& a) {
 template <class V>
 SCREE_FN V norm(const Mat3<V>& a) {
   V s = broadcast<V>(0);
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) s =
-      s + a(i, j) * a(i, j);
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) s = s + a(i, j) * a(i, j);
+  }
   return sqrt(s);
 }
 
-// ---- symmetric tensors
-// --------------------------------------------------------------------------------------------------------
+// ---- symmetric tensors ----
 
 template <class V>
 SCREE_FN Sym3<V> operator+(const Sym3<V>& a, const Sym3<V>& b) {
@@ -227,8 +234,9 @@ SCREE_FN Sym3<V> symmetric_product(const Mat3<V>& f) {
 template <class V>
 SCREE_FN Sym3<V> from_principal(const Mat3<V>& u, const Vec3<V>& d) {
   Mat3<V> ud;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) SCREE_UNROLL for (int j = 0; j < 3; ++j) ud(i, j) =
-      u(i, j) * d[j];
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) ud(i, j) = u(i, j) * d[j];
+  }
   const auto rows = [&](int i, int j) {
     return ud(i, 0) * u(j, 0) + ud(i, 1) * u(j, 1) + ud(i, 2) * u(j, 2);
   };
