@@ -57,6 +57,12 @@ std::string duration_text(double seconds) {
   return fmt::format("{:.1f} days", seconds / 86400);
 }
 
+/// To three digits.
+double rounded(double x) {
+  const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(x)) - 2));
+  return unit * std::round(x / unit);
+}
+
 void line(const std::string& name, const std::string& value) {
   fmt::print("{:<16} {}\n", name, value);
 }
@@ -121,7 +127,7 @@ void predict_effort(const Deck& deck, Simulation& simulation, int threads) {
   // Steps shortened to hit output times make the mean a little less than the first.
   const double mean = measured.steps > 0 ? measured.dt : dt;
   const double steps = std::ceil(deck.time.end / mean);
-  line("steps", fmt::format("about {:.3g} to {:.6g} s", steps, deck.time.end));
+  line("steps", fmt::format("about {:.0f} to {:.6g} s", rounded(steps), deck.time.end));
   if (!measured.fault.empty()) {
     line("warning", "the first steps fail: " + measured.fault);
   } else if (measured.steps > 0) {

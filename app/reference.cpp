@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "materials/registry.hpp"
 #include "solver/deck/deck.hpp"
 
 namespace scree {
@@ -65,6 +66,17 @@ std::vector<std::string> Reference::topics() const {
   std::vector<std::string> names;
   for (const ReferenceSection& section : sections_) names.push_back(section.schema->name());
   return names;
+}
+
+std::vector<StateField> output_fields(const ReferenceSection& section) {
+  std::vector<StateField> fields;
+  const MaterialEntry* model =
+      section.model ? find_material_model(section.schema->name()) : nullptr;
+  if (model == nullptr) return fields;
+  for (const StateField& field : model->fields) {
+    if (field.output) fields.push_back(field);
+  }
+  return fields;
 }
 
 std::string value_form(const Entry& entry) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/material.hpp"
 #include "solver/base/schema.hpp"
 
 /// The deck's reference, made from the schemas: what `scree describe` prints.
@@ -34,6 +35,9 @@ class Reference {
 
   std::vector<ReferenceSection> sections_;
 };
+
+/// The output fields that a model adds; none for other schemas.
+std::vector<StateField> output_fields(const ReferenceSection& section);
 
 /// What a value is: "number [Pa], above 0 Pa", "d numbers [m]", "compact, quadratic, linear".
 std::string value_form(const Entry& entry);

@@ -47,6 +47,9 @@ std::string section_text(const ReferenceSection& section) {
   }
   text += "\n";
   for (const auto& entry : schema.entries()) text += entry_text(*entry);
+  for (const StateField& field : output_fields(section)) {
+    text += wrapped("Output field " + field.name + " [" + field.unit + "]: " + field.doc, 2);
+  }
   for (const std::string& source : schema.citations()) text += wrapped("Source: " + source, 0);
   return text;
 }

@@ -28,16 +28,18 @@ Schema<FaceSpec> make_face_schema() {
   return s;
 }
 
-std::optional<Finding> lone_periodic_face(const BoundarySpec& spec, const SchemaContext& context) {
-  const char* const names[3][2] = {{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}};
-  for (int axis = 0; axis < context.dimension; ++axis)
-    for (int side = 0; side < 2; ++side) {
-      const bool here = spec.face(axis, side).type == FaceType::periodic;
-      const bool there = spec.face(axis, 1 - side).type == FaceType::periodic;
-      if (here && !there)
-        return Finding{names[axis][side], "a periodic face needs its opposite face periodic too",
-                       "", std::string("set ") + names[axis][1 - side] + " = \"periodic\""};
+const char* const face_names[3][2] = {{"x_min", "x_max"}, {"y_min", "y_max"}, {"z_min", "z_max"}};
+
+/// The periodic face of `axis` whose opposite face is not periodic.
+std::optional<Finding> lone_periodic_face(const BoundarySpec& spec, int axis) {
+  for (int side = 0; side < 2; ++side) {
+    const bool here = spec.face(axis, side).type == FaceType::periodic;
+    const bool there = spec.face(axis, 1 - side).type == FaceType::periodic;
+    if (here && !there) {
+      return Finding{face_names[axis][side], "a periodic face needs its opposite face periodic too",
+                     "", std::string("set ") + face_names[axis][1 - side] + " = \"periodic\""};
     }
+  }
   return std::nullopt;
 }
 
@@ -55,7 +57,12 @@ Schema<BoundarySpec> make_boundary_schema() {
       .in_dimension(3)
       .fallback_text("open")
       .doc("Upper z face.");
-  s.check(lone_periodic_face);
+  for (int axis = 0; axis < 3; ++axis) {
+    s.check({face_names[axis][0], face_names[axis][1]},
+            [axis](const BoundarySpec& spec, const SchemaContext& context) {
+              return axis < context.dimension ? lone_periodic_face(spec, axis) : std::nullopt;
+            });
+  }
   return s;
 }
 

@@ -40,7 +40,7 @@ Schema<BodySpec> make_body_schema() {
           "affine matrix.");
   s.table("initial_stress", &BodySpec::initial_stress, &initial_stress_schema)
       .fallback_text("none")
-      .doc("Stress at the start.");
+      .doc("Stress at the start; not available in this version.");
   return s;
 }
 
