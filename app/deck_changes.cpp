@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/deck_changes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -85,8 +87,8 @@ std::vector<std::string> forbidden_changes(const std::string& former_toml,
   for (const std::string& key : keys) {
     const std::string was = shown(former, key);
     const std::string is = shown(current, key);
-    if (was != is && !allowed(key, was, is))
-      changes.push_back(key + " = " + is + " (was " + was + ")");
+    if (was == is || allowed(key, was, is)) continue;
+    changes.push_back(fmt::format("{} = {} (was {})", key, is, was));
   }
   return changes;
 }

@@ -2,6 +2,7 @@
 #include "app/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -18,15 +19,25 @@ constexpr double bar_interval = 0.1;  // s of wall time between two drawings
 constexpr double line_interval = 60;  // s of wall time after which a line is written anyway
 constexpr double lines_a_run = 10;    // a line at every tenth of the simulated time
 constexpr double line_spacing = 1;    // s of wall time between two lines at least
-constexpr int bar_width = 24;
+constexpr int bar_width = 24;         // characters
+constexpr int least_bar_width = 6;
 
 /// How many parts of the simulated time are over; the addend forgives rounding.
 double part(double fraction) { return std::floor(fraction * lines_a_run + 1e-9); }
 
-std::string bar(double fraction) {
-  const int full = static_cast<int>(std::lround(fraction * bar_width));
-  return "[" + std::string(static_cast<std::size_t>(full), '#') +
-         std::string(static_cast<std::size_t>(bar_width - full), '.') + "]";
+/// "[###...] " of so many characters inside the brackets; nothing where too few are left.
+std::string bar(double fraction, int width) {
+  if (width < least_bar_width) return {};
+  const auto full = static_cast<std::size_t>(std::lround(fraction * width));
+  return "[" + std::string(full, '#') + std::string(static_cast<std::size_t>(width) - full, '.') +
+         "] ";
+}
+
+/// Columns of the terminal; many where they are unknown.
+int columns(std::FILE* out) {
+  winsize size{};
+  const bool known = ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 1000;
 }
 
 }  // namespace
@@ -50,7 +61,7 @@ std::string Progress::text(const ProgressState& state, double now) const {
   const double fraction = std::clamp(end_ > 0 ? state.time / end_ : 1.0, 0.0, 1.0);
   const std::string left = speed > 0 ? clock_text((end_ - state.time) / speed) : "-";
   return fmt::format(
-      "{:3.0f} %  t = {:.4g} / {:.4g} s  step {}  dt {:.2e} s  {:.2e} updates/s  ETA {}",
+      "{:3.0f} %  t {:.4g} / {:.4g} s  step {}  dt {:.2e} s  {:.2e} updates/s  ETA {}",
       std::floor(100 * fraction), state.time, end_, state.step, state.dt, state.updates / wall,
       left);
 }
@@ -58,8 +69,13 @@ std::string Progress::text(const ProgressState& state, double now) const {
 void Progress::write(const ProgressState& state, double now) {
   const double fraction = std::clamp(end_ > 0 ? state.time / end_ : 1.0, 0.0, 1.0);
   if (style_ == ProgressStyle::bar) {
-    // Back to the line's start, and clear what a longer text left.
-    fmt::print(out_, "\r{} {}\x1b[K", bar(fraction), text(state, now));
+    // Back to the line's start, and clear what a longer text left. A line that wraps could not be
+    // redrawn: the bar shrinks, and then the text is cut.
+    const std::string words = text(state, now);
+    const int room = columns(out_) - 1;
+    const int width = std::min(bar_width, room - static_cast<int>(words.size()) - 3);
+    const std::string line = bar(fraction, width) + words;
+    fmt::print(out_, "\r{}\x1b[K", line.substr(0, static_cast<std::size_t>(room)));
   } else {
     fmt::print(out_, "{}\n", text(state, now));
   }

@@ -38,7 +38,7 @@ Recorder::Recorder(const RunFolder& folder, OutputSpec output, bool checkpoints,
       checkpoint_path_(folder.checkpoint()),
       output_(std::move(output)),
       checkpoints_(checkpoints),
-      schedule_(std::move(schedule)),
+      schedule_(schedule),
       identity_(std::move(identity)),
       particles_(folder.path(), "particles", output_.precision),
       grid_(folder.path(), "grid", output_.precision) {}
@@ -50,11 +50,12 @@ void Recorder::start(const Simulation& simulation, const std::vector<std::string
 
 void Recorder::resume(const Simulation& simulation, const StateReader& checkpoint,
                       const std::vector<std::string>& collider_names) {
+  saved_step_ = simulation.step_count();
+  saved_time_ = simulation.time();
   particles_.resume(checkpoint.get<double>("run/particle_frame_times"));
   grid_.resume(checkpoint.get<double>("run/grid_frame_times"));
   history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count());
-  saved_step_ = simulation.step_count();
-  saved_time_ = history_time_ = simulation.time();
+  history_time_ = simulation.time();
 }
 
 void Recorder::record(const Simulation& simulation) {

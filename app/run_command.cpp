@@ -226,9 +226,9 @@ int Run::execute() {
   started_ = recorded_ = wall_clock();
   build();
   if (!options_.quiet) {
-    fmt::print("{}\n{} particles, {}, {} threads -> {}\n",
+    fmt::print("{}\n{} particles, {}, {} thread{} -> {}\n",
                deck_.title.empty() ? deck_.name : deck_.title, simulation_->particle_count(),
-               record_.backend, record_.threads, path_.string());
+               record_.backend, record_.threads, record_.threads == 1 ? "" : "s", path_.string());
     std::fflush(stdout);
   }
   try {

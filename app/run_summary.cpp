@@ -24,6 +24,7 @@ std::string phase_text(const RunRecord& record) {
   std::stable_sort(phases.begin(), phases.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
   std::vector<std::string> parts;
+  parts.reserve(phases.size());
   for (const auto& [name, seconds] : phases)
     parts.push_back(fmt::format("{} {:.2f} s", name, seconds));
   return fmt::format("{}", fmt::join(parts, ", "));

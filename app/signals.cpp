@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/signals.hpp"
 
-#include <signal.h>
-
 #include <array>
+#include <csignal>
 
 namespace scree {
 

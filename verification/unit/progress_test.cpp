@@ -33,7 +33,7 @@ TEST_F(ProgressTest, ALineSaysItAll) {
   now_ += 10;  // 0.5 of 2 s in 10 s: 30 s are left; 4e6 updates in 10 s
   progress.update({0.5, 123, 1e-4, 4e6});
   EXPECT_EQ(written(),
-            " 25 %  t = 0.5 / 2 s  step 123  dt 1.00e-04 s  4.00e+05 updates/s  ETA 0:30\n");
+            " 25 %  t 0.5 / 2 s  step 123  dt 1.00e-04 s  4.00e+05 updates/s  ETA 0:30\n");
 }
 
 TEST_F(ProgressTest, LinesComeAtTenthsAndMinutes) {
