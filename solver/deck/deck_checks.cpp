@@ -45,6 +45,7 @@ class Checker {
     check_references();
     check_step();
     check_gravity();
+    check_collider_velocities();
     check_fields();
     for (const BodySpec& body : deck_.bodies) {
       check_place(body);
@@ -153,6 +154,18 @@ class Checker {
     }
   }
 
+  void check_collider_velocities() {
+    const double start = 0;
+    for (const ColliderSpec& collider : deck_.colliders) {
+      if (faulty("collider." + toml_key(collider.name) + ".velocity")) continue;
+      for (const Formula& formula : collider.velocity) {
+        if (!formula.given() || std::isfinite(Expression(formula.text, {"t"})(&start))) continue;
+        report({"collider", collider.name, "velocity"},
+               "\"" + formula.text + "\" is not finite at t = 0");
+      }
+    }
+  }
+
   std::vector<std::string> field_names() const {
     std::vector<std::string> names{"velocity",     "stress", "pressure", "mass", "volume",
                                    "displacement", "id",     "material", "body"};
@@ -248,11 +261,44 @@ class Checker {
     if (sites > most_sites) return;
     const auto particles = sample(shape, deck_.domain.lower, deck_.domain.cell_size,
                                   body.particles_per_direction, dimension);
-    if (particles.count() > 0) return;
+    if (particles.count() > 0) {
+      check_finite(body, particles.position);
+      return;
+    }
     report({"body", body.name, "shape"}, "holds no particle", "",
            "enlarge the shape, lower domain.cell_size (particles are cell_size / "
            "particles_per_direction = " +
                toml_number(spacing) + " m apart), or raise particles_per_direction");
+  }
+
+  /// Initial velocities and body forces at t = 0 must be numbers at every particle.
+  void check_finite(const BodySpec& body, const std::vector<double>& position) {
+    const std::string key = "body." + toml_key(body.name) + ".velocity";
+    if (!faulty(key)) {
+      check_finite({"body", body.name, "velocity"}, body.velocity, {"x", "y", "z"}, position);
+    }
+    if (!faulty("method.body_force")) {
+      check_finite({"method", "body_force"}, deck_.method.body_force,
+                   {"x", "y", "z", "X", "Y", "Z", "t"}, position);
+    }
+  }
+
+  void check_finite(const std::vector<std::string>& path, const std::array<Formula, 3>& formulas,
+                    const std::vector<std::string>& variables,
+                    const std::vector<double>& position) {
+    for (const Formula& formula : formulas) {
+      if (!formula.given()) continue;
+      const Expression expression(formula.text, variables);
+      if (expression.constant()) continue;
+      for (std::size_t p = 0; p < position.size(); p += 3) {
+        const std::array<double, 3> x{position[p], position[p + 1], position[p + 2]};
+        const double values[7] = {x[0], x[1], x[2], x[0], x[1], x[2], 0};
+        if (std::isfinite(expression(values))) continue;
+        report(path, "\"" + formula.text + "\" is not finite at the particle at " +
+                         point_text(x, deck_.domain.dimension) + " m");
+        return;
+      }
+    }
   }
 
   const Deck& deck_;

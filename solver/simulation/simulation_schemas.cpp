@@ -143,6 +143,15 @@ void add_loads(Schema<MethodSpec>& s) {
       .doc("A table, or a bare number, which means local damping.");
 }
 
+std::optional<Finding> singular_transfer(const MethodSpec& method, const SchemaContext&) {
+  const bool affine = method.transfer == TransferType::mls || method.transfer == TransferType::apic;
+  if (method.kernel != KernelType::linear || !affine) return std::nullopt;
+  return Finding{"kernel",
+                 "the linear kernel cannot be combined with transfer mls or apic, because its "
+                 "matrix D is singular where a particle meets a node",
+                 "compact, quadratic", "or set transfer = \"flip\" or \"pic\""};
+}
+
 Schema<MethodSpec> make_method_schema() {
   Schema<MethodSpec> s("method", "The numerical method and what acts on everything.");
   s.choice("kernel", &MethodSpec::kernel,
@@ -171,17 +180,7 @@ Schema<MethodSpec> make_method_schema() {
       .fallback(0.95)
       .doc("Share of flip; the rest is pic.");
   add_loads(s);
-  s.check({"kernel", "transfer"},
-          [](const MethodSpec& method, const SchemaContext&) -> std::optional<Finding> {
-            const bool affine =
-                method.transfer == TransferType::mls || method.transfer == TransferType::apic;
-            if (method.kernel != KernelType::linear || !affine) return std::nullopt;
-            return Finding{
-                "kernel",
-                "the linear kernel cannot be combined with transfer mls or apic, because its "
-                "matrix D is singular where a particle meets a node",
-                "compact, quadratic", "or set transfer = \"flip\" or \"pic\""};
-          });
+  s.check({"kernel", "transfer"}, singular_transfer);
   s.cite(
       "M. Liu, X. Wang, M. Li, CK-MPM: A Compact-Kernel Material Point Method, ACM TOG 44(4), "
       "2025, doi 10.1145/3731155");
