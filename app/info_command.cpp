@@ -69,7 +69,9 @@ std::string fmt_version() {
 }  // namespace
 
 int info_command() {
-  line("scree", build_info::version);
+  const std::string commit = build_info::commit;
+  line("scree", commit.empty() ? std::string(build_info::version)
+                               : fmt::format("{} (commit {})", build_info::version, commit));
   line("build", fmt::format("{}, {}, -march={} ({})", build_info::build_type, build_info::compiler,
                             build_info::march, instruction_set()));
   line("options", options_text());

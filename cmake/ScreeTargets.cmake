@@ -53,6 +53,15 @@ if(SCREE_CUDA)
 endif()
 
 # What `scree info` prints about this build.
+set(SCREE_COMMIT "")
+find_package(Git QUIET)
+if(Git_FOUND)
+  execute_process(
+    COMMAND "${GIT_EXECUTABLE}" rev-parse --short=12 HEAD
+    WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}"
+    OUTPUT_VARIABLE SCREE_COMMIT
+    OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
 configure_file("${CMAKE_SOURCE_DIR}/cmake/build_info.hpp.in" "${CMAKE_BINARY_DIR}/generated/generated/build_info.hpp" @ONLY)
 
 function(scree_compile_options target)
