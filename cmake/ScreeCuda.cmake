@@ -40,7 +40,7 @@ function(scree_add_cuda_kernels)
     file(CONFIGURE OUTPUT "${units}" CONTENT "namespace scree { __device__ void empty_room() {} }\n")
   endif()
   add_library(scree_cuda_kernels STATIC ${units})
-  target_link_libraries(scree_cuda_kernels PUBLIC scree_flags fmt::fmt)
+  target_link_libraries(scree_cuda_kernels PUBLIC scree_flags)
   target_compile_options(
     scree_cuda_kernels PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:--expt-relaxed-constexpr>
                                $<$<COMPILE_LANGUAGE:CUDA>:-Xcompiler=-Wall,-Wextra,-Wno-psabi>)

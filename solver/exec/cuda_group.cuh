@@ -185,8 +185,8 @@ class CudaGroup {
   /// Weights times the node number, for moments.
   template <int S>
   static SCREE_FN void numbered(const V (&w)[D][S], V (&alt)[D][S]) {
-    SCREE_UNROLL for (int a = 0; a < D; ++a) {
-      SCREE_UNROLL for (int s = 0; s < S; ++s) alt[a][s] = V(s) * w[a][s];
+    SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) {
+      SCREE_UNROLL_ON_DEVICE for (int s = 0; s < S; ++s) alt[a][s] = V(s) * w[a][s];
     }
   }
 
@@ -195,7 +195,7 @@ class CudaGroup {
   static SCREE_FN int stencil_node(int s, int (&number)[D]) {
     int offset = 0;
     int stride = 1;
-    SCREE_UNROLL for (int a = D - 1; a >= 0; --a) {
+    SCREE_UNROLL_ON_DEVICE for (int a = D - 1; a >= 0; --a) {
       number[a] = s % S;
       offset += number[a] * stride;
       stride *= Shape::extent;
@@ -208,9 +208,9 @@ class CudaGroup {
   template <int S>
   static SCREE_FN void weight_products(const V (&w)[D][S], const V (&alt)[D][S],
                                        const int (&number)[D], V (&products)[1 + D]) {
-    SCREE_UNROLL for (int p = 0; p <= D; ++p) {
+    SCREE_UNROLL_ON_DEVICE for (int p = 0; p <= D; ++p) {
       products[p] = V(1);
-      SCREE_UNROLL for (int a = 0; a < D; ++a) {
+      SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) {
         products[p] *= p == a + 1 ? alt[a][number[a]] : w[a][number[a]];
       }
     }
@@ -220,19 +220,19 @@ class CudaGroup {
   SCREE_FN void gather(int channel, Int base, const V (&w)[D][S], const V (&alt)[D][S],
                        V (&value)[D], V (&moment)[D][D]) const {
     const T* nodes = read_arena(channel) + base;
-    SCREE_UNROLL for (int c = 0; c < D; ++c) {
+    SCREE_UNROLL_ON_DEVICE for (int c = 0; c < D; ++c) {
       value[c] = V(0);
-      SCREE_UNROLL for (int a = 0; a < D; ++a) moment[c][a] = V(0);
+      SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) moment[c][a] = V(0);
     }
-    SCREE_UNROLL for (int s = 0; s < power(S, D); ++s) {
+    SCREE_UNROLL_ON_DEVICE for (int s = 0; s < power(S, D); ++s) {
       int number[D];
       V products[1 + D];
       const int offset = stencil_node<S>(s, number);
       weight_products(w, alt, number, products);
-      SCREE_UNROLL for (int c = 0; c < D; ++c) {
+      SCREE_UNROLL_ON_DEVICE for (int c = 0; c < D; ++c) {
         const V v = nodes[c * Shape::nodes + offset];
         value[c] += products[0] * v;
-        SCREE_UNROLL for (int a = 0; a < D; ++a) moment[c][a] += products[1 + a] * v;
+        SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) moment[c][a] += products[1 + a] * v;
       }
     }
   }
@@ -242,14 +242,14 @@ class CudaGroup {
                         const V (&q)[D], V mass, const V (&m)[D][D], V mask) {
     if (mask == V(0)) return;
     T* nodes = sum_arena(channel) + base;
-    SCREE_UNROLL for (int s = 0; s < power(S, D); ++s) {
+    SCREE_UNROLL_ON_DEVICE for (int s = 0; s < power(S, D); ++s) {
       int number[D];
       V products[1 + D];
       const int offset = stencil_node<S>(s, number);
       weight_products(w, alt, number, products);
-      SCREE_UNROLL for (int c = 0; c < D; ++c) {
+      SCREE_UNROLL_ON_DEVICE for (int c = 0; c < D; ++c) {
         V sum = products[0] * q[c];
-        SCREE_UNROLL for (int a = 0; a < D; ++a) sum += products[1 + a] * m[c][a];
+        SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) sum += products[1 + a] * m[c][a];
         cuda::add(nodes + c * Shape::nodes + offset, sum);
       }
       cuda::add(nodes + D * Shape::nodes + offset, products[0] * mass);

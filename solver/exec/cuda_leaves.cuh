@@ -1,20 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// What only a CUDA device can do: barriers, atomics, thread numbers. The block bodies are
-/// host-device functions, so these must have a host side too; it is never called.
+/// What only a CUDA device has: thread numbers, barriers, atomics. On the host the same names mean
+/// ordinary threads, so that the tests can run the CUDA group, under a thread sanitizer too, on a
+/// machine without a GPU.
 #pragma once
 
 #include <cstdint>
 
 #include "solver/base/config.hpp"
 
+#ifndef __CUDA_ARCH__
+#include <atomic>
+#endif
+
 namespace scree::cuda {
+
+#ifndef __CUDA_ARCH__
+/// Stand-in of threadIdx, blockDim and the block's barrier; alone unless a test says otherwise.
+struct HostThread {
+  int index = 0;
+  int count = 1;
+  void (*wait)(void* barrier) = nullptr;
+  void* barrier = nullptr;
+};
+inline thread_local HostThread host_thread;
+#endif
 
 SCREE_FN int thread() {
 #ifdef __CUDA_ARCH__
   return int(threadIdx.x);
 #else
-  return 0;
+  return host_thread.index;
 #endif
 }
 
@@ -22,7 +38,7 @@ SCREE_FN int threads() {
 #ifdef __CUDA_ARCH__
   return int(blockDim.x);
 #else
-  return 1;
+  return host_thread.count;
 #endif
 }
 
@@ -30,6 +46,8 @@ SCREE_FN int threads() {
 SCREE_FN void barrier() {
 #ifdef __CUDA_ARCH__
   __syncthreads();
+#else
+  if (host_thread.wait != nullptr) host_thread.wait(host_thread.barrier);
 #endif
 }
 
@@ -39,7 +57,7 @@ SCREE_FN void add(T* p, T x) {
 #ifdef __CUDA_ARCH__
   atomicAdd(p, x);
 #else
-  *p += x;
+  std::atomic_ref<T>(*p).fetch_add(x);
 #endif
 }
 
@@ -50,9 +68,7 @@ SCREE_FN bool claim(Enum* p, Enum expected, Enum desired) {
 #ifdef __CUDA_ARCH__
   return atomicCAS(reinterpret_cast<int*>(p), int(expected), int(desired)) == int(expected);
 #else
-  if (*p != expected) return false;
-  *p = desired;
-  return true;
+  return std::atomic_ref<Enum>(*p).compare_exchange_strong(expected, desired);
 #endif
 }
 
@@ -72,7 +88,10 @@ SCREE_FN void raise(T* p, T x) {
     atomicMax(reinterpret_cast<long long*>(p), __double_as_longlong(x));
   }
 #else
-  if (x > *p) *p = x;
+  std::atomic_ref<T> shared(*p);
+  T old = shared.load();
+  while (x > old && !shared.compare_exchange_weak(old, x)) {
+  }
 #endif
 }
 
