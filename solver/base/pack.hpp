@@ -78,7 +78,7 @@ struct Mask {
 
 /// W lanes of T (float, double, std::int32_t or std::int64_t). Aligned to its size.
 template <class T, int W>
-struct Pack {
+struct alignas(W * sizeof(T)) Pack {
   using Vector = typename detail::VectorOf<T, W>::type;
   using MaskType = Mask<T, W>;
   Vector v;
