@@ -12,6 +12,7 @@ namespace scree::cuda {
 
 /// Threads of a block: 8 warps; 4^3 cells of 8 particles are two rounds.
 inline constexpr int block_threads = 256;
+static_assert(block_threads % 32 == 0, "warps reduce with all their threads");
 
 /// Blocks that must fit on a multiprocessor, which bounds the registers of a thread: 65536 / (256 x
 /// 3) = 80 in single precision, 128 in double.
