@@ -193,10 +193,13 @@ int complain_about(const CLI::ParseError& error, const CLI::App& app,
     const auto names = option_names(*command);
     for (const std::string& word : words) {
       const std::string option = word.substr(0, word.find('='));
-      if (option.rfind("-", 0) != 0 || command->get_option_no_throw(option) != nullptr) continue;
+      if (option.empty() || option[0] != '-' || command->get_option_no_throw(option) != nullptr)
+        continue;
+      std::string message = "unknown option " + option;
+      message.append(" of ").append(name).append("; options: ").append(join(names));
       const std::string near = did_you_mean(option, names);
-      return complain("unknown option " + option + " of " + name + "; options: " + join(names) +
-                      (near.empty() ? "" : "; did you mean " + near + "?"));
+      if (!near.empty()) message.append("; did you mean ").append(near).append("?");
+      return complain(message);
     }
   }
   return complain(std::string(error.what()) + "; see " + name + " --help");
@@ -228,7 +231,7 @@ int scree_main(int argc, const char* const* argv) {
     std::cerr << line.app.help();
     return user_error;
   }
-  if (words[0].rfind("-", 0) != 0) {
+  if (words[0].empty() || words[0][0] != '-') {
     if (const int status = check_command_word(line.app, words[0])) return status;
   }
   try {

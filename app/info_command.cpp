@@ -44,9 +44,8 @@ std::string options_text() {
 #ifdef SCREE_ASSERTIONS
   options.push_back("assertions");
 #endif
-  if (std::string(build_info::sanitize) != "") {
-    options.push_back(std::string("sanitizers ") + build_info::sanitize);
-  }
+  const std::string sanitizers = build_info::sanitize;
+  if (!sanitizers.empty()) options.push_back("sanitizers " + sanitizers);
   return options.empty() ? "none" : join(options);
 }
 

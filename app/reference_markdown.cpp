@@ -32,7 +32,7 @@ page lists every key.
 // clang-format on
 
 /// A table cell: a bar would end it.
-std::string cell(std::string text) {
+std::string cell(const std::string& text) {
   std::string result;
   for (const char c : text) result += c == '|' ? std::string("\\|") : std::string(1, c);
   return result;

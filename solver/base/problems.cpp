@@ -32,7 +32,7 @@ int edit_distance(const std::string& a, const std::string& b) {
 }
 
 std::string place(const Position& where) {
-  const std::string source = where.source ? *where.source : std::string("input");
+  std::string source = where.source ? *where.source : std::string("input");
   if (where.line == 0) return source;
   return source + ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
 }

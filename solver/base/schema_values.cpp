@@ -203,7 +203,7 @@ bool SchemaReader::has_length(const Entry& entry, const Value& value, const std:
   const std::string wanted = length == 0 ? std::string("2 or 3") : std::to_string(length);
   const std::string source = entry.length == 0 ? " (domain.dimension)" : "";
   std::string repair;
-  if (array && source.size() > 0 && length == 2 && found == 3) {
+  if (array && !source.empty() && length == 2 && found == 3) {
     repair = "remove the third entry, or set domain.dimension = 3";
   }
   report(value, path,
