@@ -32,7 +32,6 @@ TYPED_TEST_SUITE(RobustnessTest, testing::MaterialTypes);
 
 template <class M, class T>
 void expect_return_is_idempotent(MatrixSource& source, int count, double tolerance) {
-  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
   for (const auto& input : testing::sample_inputs<M>()) {
     const auto p = M::template params<T>(input, testing::density, 3);
     const double modulus = testing::stiffness<M>(input);
@@ -40,7 +39,8 @@ void expect_return_is_idempotent(MatrixSource& source, int count, double toleran
       const Eigen::Matrix3d f = strong_gradient(source);
       auto state = M::template initial<T>(p);
       const testing::FloatingPointTraps traps;
-      const Sym3<T> first = M::kirchhoff(p, state, testing::from_eigen<T>(f - one), T(1e-2));
+      const Sym3<T> first =
+          M::kirchhoff(p, state, testing::from_eigen<T>(f - Eigen::Matrix3d::Identity()), T(1e-2));
       // A fluid integrates tr L: a finite increment may take it out of its domain.
       if (!M::admissible(p, state)) continue;
       const T c = M::wave_speed(p, state), e = M::energy_density(p, state),
@@ -75,14 +75,15 @@ TYPED_TEST(RobustnessTest, ReturnIsIdempotentInFloat) {
 template <class M, class T>
 void expect_lanes_equal_scalars(MatrixSource& source, double tolerance) {
   using V = Lanes<T>;
-  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
   for (const auto& input : testing::sample_inputs<M>()) {
     const auto p = M::template params<T>(input, testing::density, 3);
     const double modulus = testing::stiffness<M>(input);
     for (int n = 0; n < 2000; ++n) {
       Mat3<V> first = zero3<V>(), second = zero3<V>();
       for (int i = 1; i < lanes_of<V>; ++i) {  // lane 0 stays undeformed
-        testing::set_lane_of(first, i, testing::from_eigen<T>(strong_gradient(source) - one));
+        testing::set_lane_of(
+            first, i,
+            testing::from_eigen<T>(strong_gradient(source) - Eigen::Matrix3d::Identity()));
         testing::set_lane_of(second, i, testing::from_eigen<T>(source.entries(0.1)));
       }
       const testing::FloatingPointTraps traps;
@@ -140,16 +141,15 @@ TYPED_TEST(RobustnessTest, SinglePrecisionStaysNearDouble) {
 
 TYPED_TEST(RobustnessTest, InvertedGradientIsNotAdmissibleAndDoesNotTrap) {
   using M = TypeParam;
-  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d gradients[] = {Eigen::Vector3d(-1, 1, 1).asDiagonal(),
                                        Eigen::Vector3d(0, 1, 1).asDiagonal(),
-                                       Eigen::Matrix3d::Zero(), -one};
+                                       Eigen::Matrix3d::Zero(), -Eigen::Matrix3d::Identity()};
   for (const auto& input : testing::sample_inputs<M>()) {
     const auto p = M::template params<double>(input, testing::density, 3);
     for (const auto& f : gradients) {
       auto state = M::template initial<double>(p);
       const testing::FloatingPointTraps traps;
-      M::kirchhoff(p, state, testing::from_eigen<double>(f - one), 1e-2);
+      M::kirchhoff(p, state, testing::from_eigen<double>(f - Eigen::Matrix3d::Identity()), 1e-2);
       const double c = M::wave_speed(p, state);
       EXPECT_TRUE(std::isfinite(c));
       // A fluid sees tr L only: 1 + tr(f - 1) decides.
