@@ -18,7 +18,7 @@ endforeach()
 if(units)
   add_library(scree_header_test OBJECT EXCLUDE_FROM_ALL ${units})
   scree_compile_options(scree_header_test)
-  target_link_libraries(scree_header_test PRIVATE fmt::fmt GTest::gtest)
+  target_link_libraries(scree_header_test PRIVATE fmt::fmt GTest::gtest Eigen3::Eigen)
   # The test asks whether the headers compile, not for code: no optimisation, which halves the time.
   target_compile_options(scree_header_test PRIVATE -O0 -g0 -Werror)
   add_test(NAME sources.self_contained_headers COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target
