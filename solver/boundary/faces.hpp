@@ -10,14 +10,19 @@
 ///
 /// A wall at a multiple of dx maps each lattice on itself, so every ghost node beyond it has a
 /// mirror node within, the "real" one. Let R be the reflection of a vector: diag(-1 normal,
-/// +1 tangential) for slip and symmetry, -I for sticky. The wall demands v_ghost = R v_real. Of all
-/// velocities that obey it, the nearest to the free ones p/m in the norm of the masses is
+/// +1 tangential). Slip and symmetry demand v_ghost = R v_real. Of all velocities that obey it, the
+/// nearest to the free ones p/m in the norm of the masses is
 ///
 ///     min m1 |v - p1/m1|^2 + m2 |R v - p2/m2|^2   =>   v = (p1 + R p2) / (m1 + m2)
 ///
 /// since R = R^T = R^-1: the ghost's mass and mirrored momentum fold onto the real node. Being a
 /// projection it never adds energy, and it equals a computation with the mirror image of the body
 /// beyond the wall. A node on the wall is its own mirror: v = R v, so v_n = 0 (sticky: v = 0).
+///
+/// sticky does the same with the normal velocity and stops the ghost's tangential one; the real
+/// node's is then p1/m1, again the nearest. (An odd reflection of the tangential velocity too would
+/// put the plane of no slip at the wall exactly, but shears the last half cell as a film: sand then
+/// ran out 40 % too far.)
 ///
 /// separate and friction fold as slip does if the wall pushes. The pair's material then loses the
 /// outward momentum J = (p1 + p2) . n - (m1 - m2) v . n = 2 (m2 p1 + m1 p2) . n / (m1 + m2), the
@@ -26,8 +31,8 @@
 ///
 /// Where walls meet (edges, corners) a node has several ghosts: fold axis after axis on the nodes'
 /// masses and momenta, then take v = p/m, then unfold the axes in the reverse order with
-/// mirror_velocity. For slip, symmetry and sticky this is the joint projection on the constraints
-/// of all walls. All functions do nothing for open and periodic faces.
+/// mirror_velocity. For slip and symmetry this is the joint projection on the constraints of all
+/// walls. All functions do nothing for open and periodic faces.
 namespace scree {
 
 /// What a node carries before v = p / m.
@@ -47,8 +52,9 @@ SCREE_FN std::int64_t mirror_index(std::int64_t i, std::int64_t wall, int half) 
 template <class T, int D>
 SCREE_FN Vec3<T> mirror_velocity(FaceType type, int axis, const Vec3<T>& v) {
   Vec3<T> image = v;
-  SCREE_UNROLL for (int a = 0; a < D; ++a) image[a] =
-      a == axis || type == FaceType::sticky ? -v[a] : v[a];
+  SCREE_UNROLL for (int a = 0; a < D; ++a) image[a] = a == axis                  ? -v[a]
+                                                      : type == FaceType::sticky ? T(0)
+                                                                                 : v[a];
   return image;
 }
 
@@ -114,13 +120,21 @@ SCREE_FN Vec3<T> fold_pair(FaceType type, T mu, int axis, int outward, NodeMomen
   if (!(mass > 0)) return impulse;
   const Vec3<T>& p = real.momentum;
   const Vec3<T>& q = ghost.momentum;
-  SCREE_UNROLL for (int a = 0; a < D; ++a) if (a == axis || type == FaceType::sticky) impulse[a] =
-      2 * (ghost.mass * p[a] + real.mass * q[a]) / mass;
+  impulse[axis] = 2 * (ghost.mass * p[axis] + real.mass * q[axis]) / mass;
   const T pushing = T(outward) * impulse[axis];
   const bool may_leave = type == FaceType::separate || type == FaceType::friction;
   if (may_leave && !(pushing > 0)) return Vec3<T>{};
+  // A held wall leaves the real node's tangential velocity alone and stops the ghost's: written as
+  // the momentum that gives p1/m1 with the folded mass.
+  const T keep = type == FaceType::sticky && real.mass > 0 ? mass / real.mass : T(1);
   const Vec3<T> image = mirror_velocity<T, D>(type, axis, q);
-  SCREE_UNROLL for (int a = 0; a < D; ++a) real.momentum[a] += image[a];
+  SCREE_UNROLL for (int a = 0; a < D; ++a) {
+    if (a != axis) {
+      if (type == FaceType::sticky) impulse[a] = q[a];
+      real.momentum[a] *= keep;
+    }
+    real.momentum[a] += image[a];
+  }
   if (type == FaceType::friction) {
     const Vec3<T> lost = rub<T, D>(mu, axis, pushing, real.momentum);
     SCREE_UNROLL for (int a = 0; a < D; ++a) if (a != axis) impulse[a] = lost[a];

@@ -134,7 +134,8 @@ class CpuGroup {
   }
 
   /// Records the block's first fault.
-  void fault(const MaskOf<V>& mask, FaultCode code, const V& value, const V (&u)[D], const Batch& b) {
+  void fault(const MaskOf<V>& mask, FaultCode code, const V& value, const V (&u)[D],
+             const Batch& b) {
     if (result_.fault != FaultCode::none || !any(mask)) return;
     const V flag = select(mask, broadcast<V>(T(1)), broadcast<V>(T(0)));
     for (int l = 0; l < b.active; ++l) {
@@ -187,8 +188,8 @@ class CpuGroup {
 
   Batch batch(int i, int active) const {
     const std::size_t b = std::size_t(data_.batch_list[i]);
-    return {data_.particles + b * data_.fields * width,
-            data_.aux + b * data_.layout.total * width, data_.ids + b * width, active};
+    return {data_.particles + b * data_.fields * width, data_.aux + b * data_.layout.total * width,
+            data_.ids + b * width, active};
   }
 
   void prefetch(std::int32_t b) const {
@@ -284,7 +285,8 @@ class CpuGroup {
   }
 
   template <int S>
-  static void gather_row(const Quad* nodes, const T (&w)[S], const T (&alt)[S], Quad& sum, Quad& other) {
+  static void gather_row(const Quad* nodes, const T (&w)[S], const T (&alt)[S], Quad& sum,
+                         Quad& other) {
     for (int k = 0; k < S; ++k) {
       sum += w[k] * nodes[k];
       other += alt[k] * nodes[k];
@@ -312,7 +314,8 @@ class CpuGroup {
         } else if (!used) {
           scree::store(out, none);
         } else {
-          scree::store(out, q_index == 0 ? q[c < D ? c : 0] : m[c < D ? c : 0][q_index > 0 ? q_index - 1 : 0]);
+          scree::store(out, q_index == 0 ? q[c < D ? c : 0]
+                                         : m[c < D ? c : 0][q_index > 0 ? q_index - 1 : 0]);
         }
       }
     }

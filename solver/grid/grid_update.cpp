@@ -86,44 +86,65 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
   for (int axis = 0; axis < D; ++axis) {
     for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
       const FacePair& pair = pairs_[axis][i];
-      const FaceType type = faces_.type[axis][pair.side];
-      const T friction = T(faces_.friction[axis][pair.side]);
-      const int outward = pair.side == 0 ? -1 : 1;
-      T* image = p + pair.image * node_values;
-      T* ghost = p + pair.ghost * node_values;
-      NodeMomentum<T> real = read_node<D>(image);
+      T* before = separate ? q : nullptr;
       if (pair.ghost == pair.image) {
-        plane_node<T, D>(type, friction, axis, outward, real);
-        write_node<D>(image, real);
-        // So is the momentum before forces, or flip and local damping would see the wall's impulse.
-        for (int a = 0; separate && a < D; ++a) {
-          const bool held = a == axis || type == FaceType::sticky;
-          if (held && real.momentum[a] == T(0)) q[pair.image * node_values + a] = T(0);
-        }
-        continue;
-      }
-      NodeMomentum<T> other = read_node<D>(ghost);
-      if (type == FaceType::periodic) {
-        for (int a = 0; a < D; ++a) real.momentum[a] += other.momentum[a];
-        real.mass += other.mass;
-        other = NodeMomentum<T>{};
+        hold_wall_node(pair, axis, p, before);
       } else {
-        fold_pair<T, D>(type, friction, axis, outward, real, other);
-      }
-      folded_[axis][i] = other.mass > 0 ? 0 : 1;
-      write_node<D>(image, real);
-      write_node<D>(ghost, other);
-      if (!separate || folded_[axis][i] == 0) continue;
-      // The momentum before forces follows, so that the velocity change is that of the pair.
-      Vec3<T> before{};
-      for (int a = 0; a < D; ++a) before[a] = q[pair.ghost * node_values + a];
-      if (type != FaceType::periodic) before = mirror_velocity<T, D>(type, axis, before);
-      for (int a = 0; a < D; ++a) {
-        q[pair.image * node_values + a] += before[a];
-        q[pair.ghost * node_values + a] = T(0);
+        folded_[axis][i] = fold_ghost(pair, axis, p, before) ? 1 : 0;
       }
     }
   }
+}
+
+/// A node on a wall. `before` (may be null): momenta before forces.
+template <int D, class T>
+void GridUpdate<D, T>::hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const {
+  const FaceType type = faces_.type[axis][pair.side];
+  T* record = p + pair.image * node_values;
+  NodeMomentum<T> node = read_node<D>(record);
+  plane_node<T, D>(type, T(faces_.friction[axis][pair.side]), axis, pair.side == 0 ? -1 : 1, node);
+  write_node<D>(record, node);
+  if (before == nullptr) return;
+  // So is the momentum before forces, or flip and local damping would see the wall's impulse.
+  for (int a = 0; a < D; ++a) {
+    const bool held = a == axis || type == FaceType::sticky;
+    if (held && node.momentum[a] == T(0)) before[pair.image * node_values + a] = T(0);
+  }
+}
+
+/// A ghost and its image; true if the ghost's mass moved to the image.
+template <int D, class T>
+bool GridUpdate<D, T>::fold_ghost(const FacePair& pair, int axis, T* p, T* before) const {
+  const FaceType type = faces_.type[axis][pair.side];
+  T* image = p + pair.image * node_values;
+  T* ghost = p + pair.ghost * node_values;
+  NodeMomentum<T> real = read_node<D>(image);
+  NodeMomentum<T> other = read_node<D>(ghost);
+  const T own_mass = real.mass;
+  if (type == FaceType::periodic) {
+    for (int a = 0; a < D; ++a) real.momentum[a] += other.momentum[a];
+    real.mass += other.mass;
+    other = NodeMomentum<T>{};
+  } else {
+    const T friction = T(faces_.friction[axis][pair.side]);
+    fold_pair<T, D>(type, friction, axis, pair.side == 0 ? -1 : 1, real, other);
+  }
+  write_node<D>(image, real);
+  write_node<D>(ghost, other);
+  if (other.mass > 0) return false;
+  if (before == nullptr) return true;
+  // The momentum before forces follows in the same way, so that the velocity change is the pair's.
+  Vec3<T> image_before{};
+  for (int a = 0; a < D; ++a) image_before[a] = before[pair.ghost * node_values + a];
+  if (type != FaceType::periodic) image_before = mirror_velocity<T, D>(type, axis, image_before);
+  const bool grows = type == FaceType::sticky && own_mass > T(0);
+  for (int a = 0; a < D; ++a) {
+    T& own = before[pair.image * node_values + a];
+    if (grows && a != axis) own *= real.mass / own_mass;
+    own += image_before[a];
+    before[pair.ghost * node_values + a] = T(0);
+  }
+  return true;
 }
 
 template <int D, class T>
@@ -179,7 +200,8 @@ template <int D, class T>
 void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                                     const GridForces& forces, std::vector<Collider>& colliders) {
   const std::size_t records = grid.block_values() / node_values;
-  const T keep = forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
+  const T keep =
+      forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
   const T local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
   for (std::size_t i = 0; i < records; ++i) {
     const std::size_t at = (std::size_t(block) * records + i) * node_values;
@@ -216,13 +238,15 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
 
 template <int D, class T>
 void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T* v, double,
-                                       std::vector<Collider>& colliders, Reaction* reactions) const {
+                                       std::vector<Collider>& colliders,
+                                       Reaction* reactions) const {
   for (std::size_t c = 0; c < colliders.size(); ++c) {
     const Collider& collider = colliders[c];
     if (!collider.touches(x.data())) continue;
     const Vec3<double> old{{double(v[0]), double(v[1]), double(v[2])}};
-    const Vec3<double> now = contact_velocity<double, D>(
-        collider.contact(), collider.coefficient(), old, collider.velocity(), collider.normal(x.data()));
+    const Vec3<double> now =
+        contact_velocity<double, D>(collider.contact(), collider.coefficient(), old,
+                                    collider.velocity(), collider.normal(x.data()));
     Vec3<double> impulse{};
     Vec3<double> arm{};
     const Vec3<double> centre = collider.reference_point();

@@ -13,11 +13,11 @@ namespace scree {
 
 /// What the grid equation of motion needs besides momenta.
 struct GridForces {
-  double dt = 0;                          ///< [s]
-  std::array<double, 3> gravity{};        ///< [m/s^2]
+  double dt = 0;                    ///< [s]
+  std::array<double, 3> gravity{};  ///< [m/s^2]
   DampingType damping = DampingType::none;
-  double damping_value = 0;               ///< local: fraction; mass: 1/s
-  bool separate_force = false;            ///< channel 1 holds impulses, channel 0 momenta before forces
+  double damping_value = 0;     ///< local: fraction; mass: 1/s
+  bool separate_force = false;  ///< channel 1 holds impulses, channel 0 momenta before forces
 };
 
 /// Force and torque (about its reference point) on a collider in a step.
@@ -39,8 +39,8 @@ class GridUpdate {
   /// Must be called when the grid's blocks have changed.
   void rebuild(const Grid<D, T>& grid, ThreadPool& pool);
 
-  /// channel 0: momentum and mass in, velocity and mass out. channel 1 (separate_force): impulse in,
-  /// velocity change out. Returns the mean mass over the lattices [kg].
+  /// channel 0: momentum and mass in, velocity and mass out. channel 1 (separate_force): impulse
+  /// in, velocity change out. Returns the mean mass over the lattices [kg].
   double apply(const Grid<D, T>& grid, AlignedVector<T>& channel_0, AlignedVector<T>& channel_1,
                const GridForces& forces, std::vector<Collider>& colliders, ThreadPool& pool);
 
@@ -53,11 +53,13 @@ class GridUpdate {
  private:
   double add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces, ThreadPool& pool);
   void fold(T* p, T* q, bool separate);
+  void hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const;
+  bool fold_ghost(const FacePair& pair, int axis, T* p, T* before) const;
   void unfold(T* p, T* q, bool separate) const;
   void to_velocity(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
                    std::vector<Collider>& colliders, ThreadPool& pool);
-  void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q, const GridForces& forces,
-                    std::vector<Collider>& colliders);
+  void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
+                    const GridForces& forces, std::vector<Collider>& colliders);
   void touch_colliders(const std::array<double, 3>& x, T mass, T* v, double dt,
                        std::vector<Collider>& colliders, Reaction* reactions) const;
 

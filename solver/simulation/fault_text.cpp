@@ -55,7 +55,8 @@ std::string mass_fault_text(std::int64_t step, double grid_mass, double particle
 std::string count_fault_text(std::int64_t step, std::int64_t present, std::int64_t removed,
                              std::int64_t initial) {
   return fmt::format(
-      "step {}: {} particles are present and {} left through open faces, but {} were there at the start; "
+      "step {}: {} particles are present and {} left through open faces, but {} were there at the "
+      "start; "
       "this is a defect of the program, please report it with the deck",
       step, present, removed, initial);
 }

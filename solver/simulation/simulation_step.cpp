@@ -152,7 +152,8 @@ void SimulationImpl<D, T>::bin_if_needed() {
     for (const double g : setup_.gravity(clock_.time)) speed += std::abs(g) * clock_.dt;
   }
   const double moved = clock_.dt * speed / setup_.cell_size;
-  if (pending_dead_ == 0 && bounds_.max_excursion + std::min(moved, max_excursion) <= max_excursion) return;
+  if (pending_dead_ == 0 && bounds_.max_excursion + std::min(moved, max_excursion) <= max_excursion)
+    return;
   const auto start = Clock::now();
   std::array<std::int32_t, D> wrap{};
   for (int a = 0; a < D; ++a) {
@@ -277,7 +278,8 @@ void SimulationImpl<D, T>::read_motion() {
       dead += result.dead;
     }
     pending_dead_ += dead;
-    scattered_mass_ += double(state.body->store().count() - dead) * state.body->info().particle_mass();
+    scattered_mass_ +=
+        double(state.body->store().count() - dead) * state.body->info().particle_mass();
   }
   removed_ += pending_dead_;
 }

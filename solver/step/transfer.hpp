@@ -19,8 +19,8 @@ struct Motion {
 /// Forces on a particle for one scatter: impulse = dt * force.
 template <class V, int D>
 struct Impulse {
-  V stress[D][D];    ///< -dt V0/dx tau [kg m/s]; times D^-1 or the slopes gives momentum
-  V external[D];     ///< dt * external force [kg m/s]
+  V stress[D][D];  ///< -dt V0/dx tau [kg m/s]; times D^-1 or the slopes gives momentum
+  V external[D];   ///< dt * external force [kg m/s]
 };
 
 namespace transfer_detail {
@@ -217,7 +217,8 @@ struct Pic {
       if (!separate) q[c] = q[c] + impulse.external[c];
     }
     if (!separate) {
-      transfer_detail::scatter_gradient<Kernel>(g, 0, p, q, broadcast<V>(mass), impulse.stress, mask);
+      transfer_detail::scatter_gradient<Kernel>(g, 0, p, q, broadcast<V>(mass), impulse.stress,
+                                                mask);
       return;
     }
     V none[D][D];
