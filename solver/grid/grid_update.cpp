@@ -81,16 +81,21 @@ double GridUpdate<D, T>::add_forces(const Grid<D, T>& grid, T* p, T* q, const Gr
   return total / grid.lattices();
 }
 
+/// Held walls come last: they act on the velocities that mirror planes and periodic faces have made
+/// whole, so the result does not hang on the order of the axes.
 template <int D, class T>
 void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
-  for (int axis = 0; axis < D; ++axis) {
-    for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
-      const FacePair& pair = pairs_[axis][i];
-      T* before = separate ? q : nullptr;
-      if (pair.ghost == pair.image) {
-        hold_wall_node(pair, axis, p, before);
-      } else {
-        folded_[axis][i] = fold_ghost(pair, axis, p, before) ? 1 : 0;
+  T* before = separate ? q : nullptr;
+  for (const bool held : {false, true}) {
+    for (int axis = 0; axis < D; ++axis) {
+      for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
+        const FacePair& pair = pairs_[axis][i];
+        if ((faces_.type[axis][pair.side] == FaceType::sticky) != held) continue;
+        if (pair.ghost == pair.image) {
+          hold_wall_node(pair, axis, p, before);
+        } else {
+          folded_[axis][i] = fold_ghost(pair, axis, p, before) ? 1 : 0;
+        }
       }
     }
   }
@@ -164,16 +169,19 @@ void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
 
 template <int D, class T>
 void GridUpdate<D, T>::unfold(T* p, T* q, bool separate) const {
-  for (int axis = D - 1; axis >= 0; --axis) {
-    for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
-      const FacePair& pair = pairs_[axis][i];
-      if (folded_[axis][i] == 0 || pair.ghost == pair.image) continue;
-      const FaceType type = faces_.type[axis][pair.side];
-      for (T* channel : {p, separate ? q : p}) {
-        Vec3<T> v{};
-        for (int a = 0; a < D; ++a) v[a] = channel[pair.image * node_values + a];
-        if (type != FaceType::periodic) v = mirror_velocity<T, D>(type, axis, v);
-        for (int a = 0; a < D; ++a) channel[pair.ghost * node_values + a] = v[a];
+  for (const bool held : {true, false}) {
+    for (int axis = D - 1; axis >= 0; --axis) {
+      for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
+        const FacePair& pair = pairs_[axis][i];
+        const FaceType type = faces_.type[axis][pair.side];
+        if ((type == FaceType::sticky) != held) continue;
+        if (folded_[axis][i] == 0 || pair.ghost == pair.image) continue;
+        for (T* channel : {p, separate ? q : p}) {
+          Vec3<T> v{};
+          for (int a = 0; a < D; ++a) v[a] = channel[pair.image * node_values + a];
+          if (type != FaceType::periodic) v = mirror_velocity<T, D>(type, axis, v);
+          for (int a = 0; a < D; ++a) channel[pair.ghost * node_values + a] = v[a];
+        }
       }
     }
   }

@@ -28,8 +28,7 @@ Node Grid::mirrored(const Node& node, const Face& face) const {
 }
 
 Vector Grid::reflection(const Face& face) {
-  if (face.rule == FaceRule::sticky) return -Vector::Ones();
-  Vector diagonal = Vector::Ones();
+  Vector diagonal = face.rule == FaceRule::sticky ? Vector(Vector::Zero()) : Vector(Vector::Ones());
   diagonal[face.axis] = -1;
   return diagonal;
 }
@@ -37,28 +36,38 @@ Vector Grid::reflection(const Face& face) {
 void Grid::fold(const Face& face) {
   const Vector R = reflection(face);
   Nodes inside;
+  for (const auto& [node, value] : nodes_)
+    if (!behind(node, face)) inside[node] = value;
   for (const auto& [node, value] : nodes_) {
-    const bool ghost = behind(node, face);
-    GridNode& target = inside[ghost ? mirrored(node, face) : node];
+    if (!behind(node, face)) continue;
+    GridNode& target = inside[mirrored(node, face)];
+    const double own = target.mass;
     target.mass += value.mass;
-    target.momentum += ghost ? R.cwiseProduct(value.momentum) : value.momentum;
-    target.force += ghost ? R.cwiseProduct(value.force) : value.force;
+    // Along a held wall the node inside keeps its velocity: momentum and force grow with the mass.
+    Vector growth = Vector::Ones();
+    if (face.rule == FaceRule::sticky && own > 0) growth.setConstant(target.mass / own);
+    growth[face.axis] = 1;
+    target.momentum = growth.cwiseProduct(target.momentum) + R.cwiseProduct(value.momentum);
+    target.force = growth.cwiseProduct(target.force) + R.cwiseProduct(value.force);
   }
   // A node on the plane is its own mirror: its image adds the same mass, which changes no velocity,
-  // and turns the normal part (sticky: all) of momentum and force around. update() zeroes it.
+  // and turns the normal part of momentum and force around. update() zeroes what the wall takes.
   nodes_ = std::move(inside);
 }
 
 void Grid::update(double dt, const Vector& gravity, const std::vector<Face>& faces) {
   for (auto& [node, value] : nodes_) value.force += value.mass * gravity;
-  for (const Face& face : faces) fold(face);
+  for (const FaceRule rule : {FaceRule::mirror, FaceRule::sticky})
+    for (const Face& face : faces)
+      if (face.rule == rule) fold(face);
   for (auto& [node, value] : nodes_) {
     if (value.mass == 0) continue;
     value.velocity_before = value.momentum / value.mass;
     value.velocity = value.velocity_before + dt * value.force / value.mass;
     for (const Face& face : faces) {
       if (!on_plane(node, face)) continue;
-      const Vector keep = 0.5 * (Vector::Ones() + reflection(face));
+      Vector keep = reflection(face);  // 1 along a mirror, 0 along a held wall
+      keep[face.axis] = 0;
       value.velocity = value.velocity.cwiseProduct(keep);
       value.velocity_before = value.velocity_before.cwiseProduct(keep);
     }

@@ -23,7 +23,8 @@ enum class FaceRule { sticky, mirror };
 /// A plane face normal to `axis`: the material is above the coordinate (lower face) or below it
 /// (upper face). The coordinate [m] is a multiple of half a cell. A ghost node behind the plane
 /// moves with R times the velocity of its mirror node. mirror: R = diag(-1 normal, 1 tangential),
-/// exact symmetry. sticky: R = -I, so that the velocity vanishes on the plane.
+/// exact symmetry. sticky: R = diag(-1 normal, 0 tangential), and the ghost's tangential momentum
+/// is lost.
 struct Face {
   int axis;
   bool upper;
@@ -41,8 +42,8 @@ class Grid {
   const Nodes& nodes() const { return nodes_; }
 
   /// Adds mass, R momentum and R force (weight included) of the ghosts behind faces to their mirror
-  /// nodes and removes the ghosts; then v = momentum/mass + dt force/mass, and the part of v that R
-  /// turns around is zero on the planes.
+  /// nodes and removes the ghosts, mirrors before held walls; then v = momentum/mass + dt
+  /// force/mass, and the part of v that R turns around is zero on the planes.
   void update(double dt, const Vector& gravity, const std::vector<Face>& faces);
 
   /// Velocities seen by a particle: those of a ghost are the mirrored ones. Zero where nothing was

@@ -23,7 +23,9 @@ SimulationSetup tumbling_block(int dimension, const Method& method) {
   L(1, 0) = 2;
   set_velocity(add_jelly(setup, points, dx / 3, {5e4, 0.3, 1000}), Vector(1.5, -1, 0), L,
                Vector(0.5, 0.3, 0.3));
-  setup.schedule = Schedule(0.1, 0.01, 0, 0);
+  // With hat functions edge particles blow up sooner or later: stop before.
+  const double end = method.kernel == KernelType::linear ? 0.03 : 0.1;
+  setup.schedule = Schedule(end, end / 10, 0, 0);
   return setup;
 }
 
@@ -46,7 +48,7 @@ class restart : public ::testing::TestWithParam<Method> {};
 TEST_P(restart, continues_bit_for_bit) {
   for (int dimension : {2, 3})
     for (Precision precision : {Precision::double_, Precision::single_})
-      for (int stop : {0, 7, 23}) {  // before the first step, and between two history rows
+      for (int stop : {0, 3, 11}) {  // before the first step, and between two history rows
         Method method = GetParam();
         method.precision = precision;
         const SimulationSetup setup = tumbling_block(dimension, method);

@@ -56,7 +56,7 @@ Difference difference_after(int steps, int dimension, const Method& method) {
   EXPECT_EQ(simulation->step_count(), steps);
   for (int n = 0; n < steps; ++n) twin.solver->step(dt);
   const State got = state_of(*simulation), expected = twin.state();
-  EXPECT_GT(distance(got.v, std::vector<Vector>(got.v.size(), Vector::Zero())), 0.1);
+  EXPECT_GT(distance(got.v, std::vector<Vector>(got.v.size(), Vector::Zero())), 0.05);
   return {distance(got.x, expected.x), distance(got.v, expected.v), distance(got.F, expected.F)};
 }
 
