@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "verification/support/effort.hpp"
 #include "verification/support/random.hpp"
 #include "verification/support/scene.hpp"
 
@@ -75,7 +76,7 @@ TEST_P(against_reference, one_step) {
 
 TEST_P(against_reference, forty_steps) {
   for (int dimension : {2, 3}) {
-    const Difference d = difference_after(40, dimension, GetParam());
+    const Difference d = difference_after(effort(40), dimension, GetParam());
     EXPECT_LT(d.x, 1e-12) << dimension;
     EXPECT_LT(d.v, 1e-10) << dimension;
     EXPECT_LT(d.F, 1e-10) << dimension;
@@ -107,7 +108,7 @@ TEST_P(against_reference, sand_and_fluid) {
   water.gamma = 7;
   water.viscosity = 3;
   set_velocity(add_fluid(setup, jittered(0.3), dx / 3, water, 1000), Vector(-0.3, -0.2, 0));
-  const int steps = 40;
+  const int steps = effort(40);
   const double dt = 5e-4;
   set_steps(setup, steps, dt);
   const Twin twin = reference_twin(setup);

@@ -14,6 +14,7 @@
 #include "solver/transfer/linear.hpp"
 #include "solver/transfer/quadratic.hpp"
 #include "verification/reference/kernel.hpp"
+#include "verification/support/effort.hpp"
 #include "verification/support/random.hpp"
 
 namespace scree {
@@ -115,7 +116,7 @@ void check_kernel(unsigned long long seed) {
   // The polynomial sine is good to 4e-16 (double) and 3e-8 (float), products of D weights and the
   // rounding of the position add a few units.
   const double rounding = 12 * static_cast<double>(std::numeric_limits<T>::epsilon());
-  for (int count = 0; count < 4000; ++count) {
+  for (int count = 0; count < testing::effort(4000); ++count) {
     T u[D];
     for (int a = 0; a < D; ++a) {
       u[a] = static_cast<T>(random.uniform(0, 4.5));
@@ -151,7 +152,7 @@ TYPED_TEST(kernel, equals_the_reference_in_three_dimensions) {
 
 TYPED_TEST(kernel, partition_of_unity_and_first_moment_to_the_last_bit) {
   testing::Random random(49);
-  for (int count = 0; count < 20000; ++count) {
+  for (int count = 0; count < testing::effort(20000); ++count) {
     const double u[2] = {random.uniform(0, 4.5), random.uniform(0, 4.5)};
     const auto point = TypeParam::template at<double, 2>(u);
     double first[2] = {0, 0};

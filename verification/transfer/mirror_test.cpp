@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "verification/support/effort.hpp"
 #include "verification/support/random.hpp"
 #include "verification/support/scene.hpp"
 
@@ -48,6 +49,7 @@ TEST_P(mirror, face_equals_a_mirror_twin) {
   if (GetParam().kernel == KernelType::linear)
     return;  // its edge particles blow up sooner or later
   for (int dimension : {2, 3}) {
+    if (slow_build && dimension == 3) continue;
     const State twin = thrown_ball(dimension, GetParam(), FaceType::symmetry, true);
     for (FaceType face : {FaceType::symmetry, FaceType::slip}) {
       const State wall = thrown_ball(dimension, GetParam(), face, false);
@@ -125,6 +127,7 @@ State colliding_disks(const Method& method, int dimension, double h) {
 
 TEST_P(mirror, slice_equals_plane_strain) {
   if (GetParam().kernel == KernelType::linear || GetParam().path == PathType::fused) return;
+  if (slow_build) GTEST_SKIP() << "hundreds of steps at two sizes, minutes with sanitizers";
   const auto in_plane_difference = [&](double h) {
     const State flat = colliding_disks(GetParam(), 2, h), slice = colliding_disks(GetParam(), 3, h);
     double largest = 0;

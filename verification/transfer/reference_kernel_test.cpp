@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "verification/reference/kernel.hpp"
+#include "verification/support/effort.hpp"
 #include "verification/support/random.hpp"
 
 namespace scree::reference {
@@ -31,7 +32,7 @@ Vector sample_position(scree::testing::Random& random, int dimension, int count)
 TEST(reference_kernel, partition_of_unity_on_every_lattice) {
   scree::testing::Random random(11);
   for (Kernel kernel : kernels)
-    for (int count = 0; count < 20000; ++count) {
+    for (int count = 0; count < scree::testing::effort(20000); ++count) {
       double sum[2] = {0, 0};
       for (const StencilEntry& e : stencil(kernel, sample_position(random, 3, count), 1.0, 3)) {
         EXPECT_GE(e.weight, -1e-15);  // sin(2 pi x) at x = 1 - 1e-16 is 1e-16 off
@@ -45,7 +46,7 @@ TEST(reference_kernel, average_of_lattices_reproduces_position_and_gradient) {
   scree::testing::Random random(12);
   for (Kernel kernel : kernels)
     for (int dimension : {2, 3})
-      for (int count = 0; count < 5000; ++count) {
+      for (int count = 0; count < scree::testing::effort(5000); ++count) {
         const Vector x = sample_position(random, dimension, count);
         Vector first = Vector::Zero(), gradient_sum = Vector::Zero();
         Matrix gradient = Matrix::Zero();
@@ -156,7 +157,7 @@ TEST(reference_kernel, moment_matrix_has_the_closed_form_and_its_bounds) {
     // Sharp: reached where |s_a| = 1/(2 pi) in every axis.
     const double lowest = 3.0 / 16 - 1 / (4 * pi) - 1 / (4 * pi * pi);
     const double highest = 3.0 / 16 - 1 / (4 * pi) + (dimension - 1) / (4 * pi * pi);
-    for (int count = 0; count < 3000; ++count) {
+    for (int count = 0; count < scree::testing::effort(3000); ++count) {
       const Vector x = sample_position(random, dimension, count);
       const Matrix sum = moment_matrix(Kernel::compact, x, 1.0, dimension);
       const ClosedForm closed(x, dimension);
@@ -175,7 +176,7 @@ TEST(reference_kernel, moment_matrix_has_the_closed_form_and_its_bounds) {
 
 TEST(reference_kernel, moment_matrices_of_the_other_kernels) {
   scree::testing::Random random(14);
-  for (int count = 0; count < 1000; ++count) {
+  for (int count = 0; count < scree::testing::effort(1000); ++count) {
     const Vector x = sample_position(random, 3, 1);
     const double dx = 0.3;
     EXPECT_LT(

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "verification/reference/closed_forms.hpp"
+#include "verification/support/effort.hpp"
 #include "verification/support/random.hpp"
 
 namespace scree::reference {
@@ -206,6 +207,7 @@ int twin_steps(const Method& method, int dimension) {
 }
 
 TEST(reference_transfer, mirror_face_equals_a_mirror_twin) {
+  if (scree::testing::slow_build) GTEST_SKIP() << "the reference alone, minutes with sanitizers";
   for (int dimension : {2, 3})
     for (const Method& method : methods)
       for (double plane : {1.0, 1.05}) {
