@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "solver/simulation/schedule.hpp"
 
@@ -43,6 +44,8 @@ struct MotionBounds {
 
 /// dt = min(cfl dx / max(c + |v|), dx / (5 max |v_a|)).
 inline double stable_step(const MotionBounds& bounds, double cell_size, double cfl) {
+  if (!(bounds.max_signal > 0))
+    return std::numeric_limits<double>::infinity();  // no particles left
   const double wave = cfl * cell_size / bounds.max_signal;
   return bounds.max_speed > 0 ? std::min(wave, cell_size / (5 * bounds.max_speed)) : wave;
 }
