@@ -43,6 +43,12 @@ struct Defects : ::testing::Test {
   }
 };
 
+/// A number that the compiler cannot see, or it would itself complain about the wrong channel.
+int opaque(int number) {
+  volatile int hidden = number;
+  return hidden;
+}
+
 Point point_of(const Strict& g, const Batch& b) {
   V u[2];
   load_position(g, b, u);
@@ -186,8 +192,8 @@ TEST_F(Defects, ReadsAndWritesTheSameGrid) {
 }
 
 TEST_F(Defects, ChannelThatIsNotThere) {
-  expect_defect("uses channel 2", [](Strict& g) { g.stage_in(2); });
-  expect_defect("uses channel -1", [](Strict& g) { g.clear(-1); });
+  expect_defect("uses channel 2", [](Strict& g) { g.stage_in(opaque(2)); });
+  expect_defect("uses channel -1", [](Strict& g) { g.clear(opaque(-1)); });
   data.read[1] = nullptr;
   data.write[1] = nullptr;
   expect_defect("does not read", [](Strict& g) { g.stage_in(1); });
