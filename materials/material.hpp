@@ -25,14 +25,14 @@ struct StateField {
 
 /// What every law provides:
 ///
-///     static constexpr const char* name;                      deck name of the model
-///     struct Input;                                           engineering parameters of the deck,
-///     SI static Schema<Input> schema();                          keys, ranges, defaults, checks,
-///     citations template <class T> struct Params;                       numbers the kernels use;
-///     trivially copyable template <class T> static Params<T> params(const Input&, double density,
-///     int dimension); template <class V> struct State;                        aggregate of V's
-///     only static std::vector<StateField> fields(); template <class V, class T> static State<V>
-///     initial(const Params<T>&);
+/// - `static constexpr const char* name;` the deck name of the model
+/// - `struct Input;` engineering parameters of the deck, SI
+/// - `static Schema<Input> schema();` keys, ranges, defaults, checks, citations
+/// - `template <class T> struct Params;` numbers the kernels use; trivially copyable
+/// - `template <class T> static Params<T> params(const Input&, double density, int dimension);`
+/// - `template <class V> struct State;` aggregate of V's only
+/// - `static std::vector<StateField> fields();` the entries of State by name
+/// - `template <class V, class T> static State<V> initial(const Params<T>&);` undeformed
 ///
 /// and point functions over a scalar or lanes V with scalar T, branch-free in the lanes, free of
 /// allocation and of floating-point exceptions for every admissible state (also in branches that a
