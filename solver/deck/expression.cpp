@@ -118,6 +118,9 @@ Expression::~Expression() = default;
 
 double Expression::operator()(const double* values) const {
   std::copy(values, values + variables_.size(), parser_->values.begin());
+#ifdef SCREE_FP_TRAPS
+  const QuietFloats quiet;  // the value may be NaN or infinite; the caller looks at it
+#endif
   return parser_->parser.Eval();
 }
 
