@@ -25,7 +25,9 @@ class MathTest : public ::testing::Test {
     std::vector<T> points;
     for (int i = 0; i < count; ++i) {
       const double s = (i + random.uniform(0, 1)) / count;
-      points.push_back(T(geometric ? a * std::pow(b / a, s) : a + (b - a) * s));
+      // b / a may overflow, its logarithm does not.
+      const double power = geometric ? std::log(b) - std::log(a) : 0;
+      points.push_back(T(geometric ? std::exp(std::log(a) + power * s) : a + (b - a) * s));
     }
     return points;
   }
