@@ -30,7 +30,7 @@ GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
     : domain_(domain), faces_(faces), lower_(lower), cell_size_(cell_size) {}
 
 template <int D, class T>
-void GridUpdate<D, T>::rebuild(const Grid<D, T>& grid, ThreadPool&) {
+void GridUpdate<D, T>::rebuild(const Grid<D, T>& grid) {
   pairs_ = find_face_pairs(grid, domain_);
   for (int a = 0; a < D; ++a) folded_[a].assign(pairs_[a].size(), 0);
 }
@@ -233,7 +233,7 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
         const BlockCoord<D> node = grid.node(int(block), int(i) % block_node_count<D>);
         std::array<double, 3> x = lower_;
         for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
-        touch_colliders(x, mass, v, forces.dt, colliders,
+        touch_colliders(x, mass, v, colliders,
                         &block_reactions_[std::size_t(block) * colliders.size()]);
       }
     }
@@ -245,7 +245,7 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
 }
 
 template <int D, class T>
-void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T* v, double,
+void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T* v,
                                        std::vector<Collider>& colliders,
                                        Reaction* reactions) const {
   for (std::size_t c = 0; c < colliders.size(); ++c) {

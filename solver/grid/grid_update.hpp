@@ -37,7 +37,7 @@ class GridUpdate {
              double cell_size);
 
   /// Must be called when the grid's blocks have changed.
-  void rebuild(const Grid<D, T>& grid, ThreadPool& pool);
+  void rebuild(const Grid<D, T>& grid);
 
   /// channel 0: momentum and mass in, velocity and mass out. channel 1 (separate_force): impulse
   /// in, velocity change out. Returns the mean mass over the lattices [kg].
@@ -60,7 +60,7 @@ class GridUpdate {
                    std::vector<Collider>& colliders, ThreadPool& pool);
   void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                     const GridForces& forces, std::vector<Collider>& colliders);
-  void touch_colliders(const std::array<double, 3>& x, T mass, T* v, double dt,
+  void touch_colliders(const std::array<double, 3>& x, T mass, T* v,
                        std::vector<Collider>& colliders, Reaction* reactions) const;
 
   GridDomain<D> domain_;

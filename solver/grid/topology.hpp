@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "solver/boundary/faces.hpp"
 #include "solver/grid/block.hpp"
 
 namespace scree {
@@ -19,11 +20,10 @@ struct GridDomain {
   int lattices = 1;
 };
 
-/// Node index of the mirror (or periodic) image of node `index` of a lattice, for face `side`.
+/// Node index of the mirror image of node `index` of a lattice, for the face on `side`.
 /// Lattice 0 has nodes at i, lattice 1 at i + 1/2.
-constexpr std::int32_t mirrored_node(std::int32_t index, std::int32_t cells, int side,
-                                     int lattice) {
-  return (side == 0 ? 0 : 2 * cells) - lattice - index;
+inline std::int32_t mirrored_node(std::int32_t index, std::int32_t cells, int side, int lattice) {
+  return static_cast<std::int32_t>(mirror_index(index, side == 0 ? 0 : cells, lattice));
 }
 
 /// Node within [0, cells) that a node beyond periodic faces repeats.

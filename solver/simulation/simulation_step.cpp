@@ -185,7 +185,7 @@ void SimulationImpl<D, T>::refresh_blocks() {
   std::sort(occupied.begin(), occupied.end());
   occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
   grid_.topology().build(occupied, domain_);
-  grid_update_.rebuild(grid_, executor_.pool());
+  grid_update_.rebuild(grid_);
   for (State& state : bodies_) {
     const auto& blocks = state.body->store().blocks();
     state.grid_block.clear();
