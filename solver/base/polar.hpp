@@ -19,6 +19,16 @@ struct PolarLimits {
   // Each iteration at least halves the largest stretch until it is near 1.
   static constexpr int iterations = sizeof(T) == 4 ? 48 : 160;
 };
+
+template <class V>
+SCREE_FN Mat3<V> select_or_identity(const MaskOf<V>& mask, const Mat3<V>& f) {
+  const Mat3<V> one = identity3<V>();
+  Mat3<V> r;
+  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
+    SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) = select(mask, f(i, j), one(i, j));
+  }
+  return r;
+}
 }  // namespace detail
 
 /// The rotation R nearest to F, for det F > 0, by Newton's iteration R <- (R + R^-T)/2 (Higham,
@@ -34,12 +44,11 @@ SCREE_FN Mat3<V> polar_rotation(const Mat3<V>& f) {
   SCREE_UNROLL for (int i = 0; i < 3; ++i) {
     SCREE_UNROLL for (int j = 0; j < 3; ++j) square = square + f(i, j) * f(i, j);
   }
-  MaskOf<V> active = (det(f) > Limits::det_min) & (square < Limits::square_max);
-  const Mat3<V> one = identity3<V>();
-  Mat3<V> r;
-  SCREE_UNROLL for (int i = 0; i < 3; ++i) {
-    SCREE_UNROLL for (int j = 0; j < 3; ++j) r(i, j) = select(active, f(i, j), one(i, j));
-  }
+  // The size comes first: the determinant of a huge F would overflow.
+  MaskOf<V> active = square < Limits::square_max;
+  Mat3<V> r = detail::select_or_identity(active, f);
+  active = active & (det(r) > Limits::det_min);
+  r = detail::select_or_identity(active, r);
   for (int iteration = 0; iteration < Limits::iterations && any(active); ++iteration) {
     const Mat3<V> c = cofactor(r);
     const V d = r(0, 0) * c(0, 0) + r(0, 1) * c(0, 1) + r(0, 2) * c(0, 2);

@@ -42,13 +42,18 @@ Found box_problem(const ShapeSpec& spec, int dimension) {
   return std::nullopt;
 }
 
+/// The comparison is the quiet one: a radius that is not a number is a mistake, not a trap.
+Found radius_problem(const ShapeSpec& spec) {
+  if (std::isgreater(spec.radius, 0.0)) return std::nullopt;
+  return ShapeProblem{"radius", "the radius must be positive"};
+}
+
 Found cylinder_problem(const ShapeSpec& spec, int dimension) {
   std::array<double, 3> axis{};
   for (int a = 0; a < dimension; ++a) axis[a] = spec.to[a] - spec.from[a];
   if (vanishes(axis, dimension))
     return ShapeProblem{"to", "the ends of a cylinder must be two different points"};
-  if (!(spec.radius > 0)) return ShapeProblem{"radius", "the radius must be positive"};
-  return std::nullopt;
+  return radius_problem(spec);
 }
 
 Found polygon_problem(const ShapeSpec& spec, int dimension) {
@@ -93,8 +98,7 @@ std::optional<ShapeProblem> find_problem(const ShapeSpec& spec, int dimension) {
     case ShapeKind::box:
       return box_problem(spec, dimension);
     case ShapeKind::sphere:
-      if (!(spec.radius > 0)) return ShapeProblem{"radius", "the radius must be positive"};
-      return std::nullopt;
+      return radius_problem(spec);
     case ShapeKind::cylinder:
       return cylinder_problem(spec, dimension);
     case ShapeKind::polygon:
