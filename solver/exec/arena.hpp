@@ -43,13 +43,37 @@ SCREE_FN constexpr NodePlace arena_place(int n) {
   return place;
 }
 
-/// All places, made at compile time for the CPU.
+/// Neighbouring arena nodes on the last axis that are also neighbours in the grid.
+struct NodeRun {
+  std::int32_t first;  ///< arena node
+  std::int32_t count;
+  NodePlace place;  ///< of the first node
+};
+
+/// All runs, made at compile time for the CPU.
 template <class Kernel, int D>
-struct ArenaTable {
-  NodePlace place[ArenaShape<Kernel, D>::nodes];
-  constexpr ArenaTable() : place{} {
-    for (int n = 0; n < ArenaShape<Kernel, D>::nodes; ++n) place[n] = arena_place<Kernel, D>(n);
+class ArenaRuns {
+ public:
+  constexpr ArenaRuns() : runs_{}, count_(0) {
+    for (int n = 0; n < ArenaShape<Kernel, D>::nodes; ++n) {
+      const NodePlace place = arena_place<Kernel, D>(n);
+      if (n % ArenaShape<Kernel, D>::extent != 0 && continues(runs_[count_ - 1], place)) {
+        ++runs_[count_ - 1].count;
+      } else {
+        runs_[count_++] = {n, 1, place};
+      }
+    }
   }
+  constexpr const NodeRun* begin() const { return runs_; }
+  constexpr const NodeRun* end() const { return runs_ + count_; }
+
+ private:
+  static constexpr bool continues(const NodeRun& run, const NodePlace& place) {
+    return place.neighbour == run.place.neighbour && place.node == run.place.node + run.count;
+  }
+
+  NodeRun runs_[ArenaShape<Kernel, D>::nodes];
+  int count_;
 };
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 #include "solver/base/pack.hpp"
 #include "solver/exec/arena.hpp"
 #include "solver/exec/cuda_leaves.cuh"
+#include "solver/exec/lattice_sums.hpp"
 #include "solver/step/pass_data.hpp"
 
 namespace scree {
@@ -111,6 +112,16 @@ class CudaGroup {
     V alt[D][S];
     numbered(w, alt);
     gather(channel, base, w, alt, value, moment);
+  }
+  template <int L, int S>
+  SCREE_FN void gather_affine(int channel, const Stencil<V, D, L, S>& p, V (&velocity)[D],
+                              V (&affine)[D][D]) const {
+    LatticeSums::gather_affine(*this, channel, p, velocity, affine);
+  }
+  template <int L, int S>
+  SCREE_FN void scatter_affine(int channel, const Stencil<V, D, L, S>& p, const V (&q)[D],
+                               const V& mass, const V (&affine)[D][D], const V& mask) {
+    LatticeSums::scatter_affine(*this, channel, p, q, mass, affine, mask);
   }
   template <int S>
   SCREE_FN void gather_slopes(int channel, Int base, const V (&w)[D][S], const V (&slope)[D][S],

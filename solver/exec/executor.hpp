@@ -6,6 +6,7 @@
 
 #include "solver/exec/aligned.hpp"
 #include "solver/exec/block_group.hpp"
+#include "solver/exec/flush_subnormals.hpp"
 #include "solver/exec/thread_pool.hpp"
 
 namespace scree {
@@ -43,6 +44,7 @@ void for_each_block(Executor& executor, const PassData<D, T>& data,
                     const std::vector<std::int32_t>& blocks, F&& f) {
   using Group = BlockGroup<D, T, Kernel>;
   executor.pool().for_each(std::int64_t(blocks.size()), [&](std::int64_t i, int thread) {
+    const FlushSubnormals flush;
     Group group(data, executor.arena<T>(thread, Group::arena_values));
     group.begin(blocks[std::size_t(i)]);
     f(group);

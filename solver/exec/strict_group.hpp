@@ -156,6 +156,19 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
     Base::scatter_slopes(channel, base, w, slope, q, mass, g, mask);
   }
 
+  template <int L, int S>
+  void gather_affine(int channel, const Stencil<V, D, L, S>& p, V (&velocity)[D],
+                     V (&affine)[D][D]) const {
+    for (int k = 0; k < L; ++k) may_gather<S>(channel, p.base[k]);
+    Base::gather_affine(channel, p, velocity, affine);
+  }
+  template <int L, int S>
+  void scatter_affine(int channel, const Stencil<V, D, L, S>& p, const V (&q)[D], const V& mass,
+                      const V (&affine)[D][D], const V& mask) {
+    for (int k = 0; k < L; ++k) may_scatter<S>(channel, p.base[k], mask);
+    Base::scatter_affine(channel, p, q, mass, affine, mask);
+  }
+
   void note_motion(const MaskOf<V>& mask, const V& speed, const V& excursion) {
     only_active(mask, "notes the motion of");
     Base::note_motion(mask, speed, excursion);

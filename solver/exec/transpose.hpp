@@ -16,17 +16,30 @@ struct LaneTranspose {
 
   static constexpr int record = 16;
 
-  /// rows[i] lane j -> rows[j] lane i, in place.
-  [[gnu::always_inline]] static inline void square(Native (&rows)[width]) {
+  /// n quantities, one a row, of all lanes -> the n quantities of lane 0, of lane 1, ..., in
+  /// place; n is a power of two.
+  template <int n>
+  [[gnu::always_inline]] static inline void weave(Native (&rows)[n]) {
     constexpr std::make_integer_sequence<int, width> lanes;
-    SCREE_UNROLL for (int round = 1; round < width; round *= 2) {
-      Native next[width];
-      SCREE_UNROLL for (int i = 0; i < width / 2; ++i) {
-        next[2 * i] = interleave<0>(rows[i], rows[i + width / 2], lanes);
-        next[2 * i + 1] = interleave<width / 2>(rows[i], rows[i + width / 2], lanes);
+    SCREE_UNROLL for (int round = 1; round < n; round *= 2) {
+      Native next[n];
+      SCREE_UNROLL for (int i = 0; i < n / 2; ++i) {
+        next[2 * i] = interleave<0>(rows[i], rows[i + n / 2], lanes);
+        next[2 * i + 1] = interleave<width / 2>(rows[i], rows[i + n / 2], lanes);
       }
-      SCREE_UNROLL for (int i = 0; i < width; ++i) rows[i] = next[i];
+      SCREE_UNROLL for (int i = 0; i < n; ++i) rows[i] = next[i];
     }
+  }
+
+  /// rows[i] lane j -> rows[j] lane i, in place.
+  [[gnu::always_inline]] static inline void square(Native (&rows)[width]) { weave(rows); }
+
+  /// in: 4 vectors (quantity q of all lanes at in + q * width); out: quad of lane l at out + 4 l.
+  [[gnu::always_inline]] static inline void to_quads(const T* in, T* out) {
+    Native rows[4];
+    SCREE_UNROLL for (int i = 0; i < 4; ++i) rows[i] = at(in, i);
+    weave(rows);
+    SCREE_UNROLL for (int i = 0; i < 4; ++i) at(out, i) = rows[i];
   }
 
   /// in: 16 vectors (quantity q of all lanes at in + q * width); out: record of lane l at out + 16

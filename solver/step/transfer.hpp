@@ -38,19 +38,7 @@ SCREE_FN void set_zero(V (&a)[D][D]) {
 template <class Kernel, class G, class Point, class V, int D>
 SCREE_FN void gather_affine(const G& g, const Point& p, V (&velocity)[D], V (&affine)[D][D]) {
   using T = Scalar<V>;
-  set_zero(velocity);
-  set_zero(affine);
-  SCREE_UNROLL_ON_DEVICE for (int k = 0; k < Kernel::lattices; ++k) {
-    V value[D];
-    V moment[D][D];
-    g.gather_moments(0, p.stencil.base[k], p.stencil.weight[k], value, moment);
-    for (int c = 0; c < D; ++c) {
-      velocity[c] = velocity[c] + value[c];
-      for (int a = 0; a < D; ++a) {
-        affine[c][a] = affine[c][a] + (moment[c][a] + p.stencil.offset[k][a] * value[c]);
-      }
-    }
-  }
+  g.gather_affine(0, p.stencil, velocity, affine);
   const T share = T(1.0 / Kernel::lattices);
   for (int c = 0; c < D; ++c) {
     velocity[c] = velocity[c] * share;
@@ -79,20 +67,6 @@ SCREE_FN void gather_gradient(const G& g, int channel, const Point& p, V (&veloc
   for (int c = 0; c < D; ++c) {
     velocity[c] = velocity[c] * share;
     for (int a = 0; a < D; ++a) gradient[c][a] = gradient[c][a] * share;
-  }
-}
-
-/// Scatters sum_k w (q + A (x_i - x_p)) and the mass.
-template <class Kernel, class G, class Point, class V, int D>
-SCREE_FN void scatter_affine(G& g, int channel, const Point& p, const V (&q)[D], const V& mass,
-                             const V (&a)[D][D], const V& mask) {
-  SCREE_UNROLL_ON_DEVICE for (int k = 0; k < Kernel::lattices; ++k) {
-    V base[D];
-    for (int c = 0; c < D; ++c) {
-      base[c] = q[c];
-      for (int b = 0; b < D; ++b) base[c] = base[c] + a[c][b] * p.stencil.offset[k][b];
-    }
-    g.scatter_moments(channel, p.stencil.base[k], p.stencil.weight[k], base, mass, a, mask);
   }
 }
 
@@ -144,10 +118,10 @@ struct Mls {
       }
     }
     Kernel::template times_inverse_moment<V, D>(p, sum, a);
-    transfer_detail::scatter_affine<Kernel>(g, 0, p, q, broadcast<V>(mass), a, mask);
+    g.scatter_affine(0, p.stencil, q, broadcast<V>(mass), a, mask);
     if (!separate) return;
     Kernel::template times_inverse_moment<V, D>(p, impulse.stress, a);
-    transfer_detail::scatter_affine<Kernel>(g, 1, p, impulse.external, broadcast<V>(T(0)), a, mask);
+    g.scatter_affine(1, p.stencil, impulse.external, broadcast<V>(T(0)), a, mask);
   }
 };
 
@@ -175,7 +149,7 @@ struct Apic {
     transfer_detail::scaled(m.velocity, mass, q);
     for (int c = 0; c < D; ++c) transfer_detail::scaled(m.affine[c], mass, sum[c]);
     Kernel::template times_inverse_moment<V, D>(p, sum, a);
-    transfer_detail::scatter_affine<Kernel>(g, 0, p, q, broadcast<V>(mass), a, mask);
+    g.scatter_affine(0, p.stencil, q, broadcast<V>(mass), a, mask);
     transfer_detail::scatter_gradient<Kernel>(g, separate ? 1 : 0, p, impulse.external,
                                               broadcast<V>(T(0)), impulse.stress, mask);
   }
@@ -223,7 +197,7 @@ struct Pic {
     }
     V none[D][D];
     transfer_detail::set_zero(none);
-    transfer_detail::scatter_affine<Kernel>(g, 0, p, q, broadcast<V>(mass), none, mask);
+    g.scatter_affine(0, p.stencil, q, broadcast<V>(mass), none, mask);
     transfer_detail::scatter_gradient<Kernel>(g, 1, p, impulse.external, broadcast<V>(T(0)),
                                               impulse.stress, mask);
   }

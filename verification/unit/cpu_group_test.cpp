@@ -23,8 +23,9 @@ struct Case {
   using Kernel = KernelType;
 };
 using Cases =
-    ::testing::Types<Case<2, double, Compact>, Case<3, float, Compact>, Case<2, float, Quadratic>,
-                     Case<3, double, Quadratic>, Case<3, double, Linear>>;
+    ::testing::Types<Case<2, double, Compact>, Case<2, float, Compact>, Case<3, double, Compact>,
+                     Case<3, float, Compact>, Case<2, float, Quadratic>, Case<3, double, Quadratic>,
+                     Case<3, double, Linear>, Case<2, float, Linear>>;
 
 /// Lattice number of the lowest node of a particle's stencil, u in cells.
 int lowest_node(const Compact&, int lattice, double u) {
@@ -207,6 +208,51 @@ TYPED_TEST(CpuGroupTest, ScattersToTheNodesOfLiveLanes) {
   }
 }
 
+/// The transfers over all lattices at once against the same, lattice by lattice.
+TYPED_TEST(CpuGroupTest, AffineTransfersAreTheSumOverTheLattices) {
+  using Group = typename TestFixture::Group;
+  using V = typename Group::V;
+  using T = typename TypeParam::T;
+  constexpr int D = TypeParam::D;
+  this->data.write[1] = this->scene.write[1].data();
+  this->scene.template run<Group>(this->data, [&](Group& g) {
+    g.stage_in(0);
+    g.clear(0);
+    g.clear(1);
+    g.sync();
+    g.each_batch([&](const typename Group::Batch& b) {
+      V u[D];
+      const auto p = this->point_of(g, b, u);
+      V velocity[2][D];
+      V affine[2][D][D];
+      g.gather_affine(0, p.stencil, velocity[0], affine[0]);
+      LatticeSums::gather_affine(g, 0, p.stencil, velocity[1], affine[1]);
+      for (int l = 0; l < b.active; ++l) {
+        for (int c = 0; c < D; ++c) {
+          ASSERT_NEAR(lane(velocity[0][c], l), lane(velocity[1][c], l), this->tolerance);
+          for (int a = 0; a < D; ++a) {
+            ASSERT_NEAR(lane(affine[0][c][a], l), lane(affine[1][c][a], l), this->tolerance);
+          }
+        }
+      }
+      V mask = select(g.active(b), broadcast<V>(T(1)), broadcast<V>(T(0)));
+      for (int l = 1; l < Group::width; l += 3) set_lane(mask, l, T(0));
+      const V mass = g.load(b, D) * T(0.5);
+      g.scatter_affine(0, p.stencil, velocity[0], mass, affine[0], mask);
+      LatticeSums::scatter_affine(g, 1, p.stencil, velocity[0], mass, affine[0], mask);
+    });
+    g.sync();
+    g.stage_out(0);
+    g.stage_out(1);
+  });
+  double largest = 0;
+  for (const T x : this->scene.write[1]) largest = std::max(largest, std::abs(double(x)));
+  ASSERT_GT(largest, 0.1);
+  for (std::size_t i = 0; i < this->scene.write[0].size(); ++i) {
+    ASSERT_NEAR(this->scene.write[0][i], this->scene.write[1][i], this->tolerance * largest) << i;
+  }
+}
+
 // ---- results of a block ------------------------------------------------------------------------
 
 using Plain = CpuGroup<2, double, Compact>;
@@ -278,7 +324,16 @@ TYPED_TEST(CpuGroupTest, StagesZerosWhereTheGridHasNoBlock) {
   Group group(this->data, arena.data());
   group.begin(0);
   group.stage_in(0);
-  for (int i = 0; i < Group::Shape::values; ++i) ASSERT_EQ(arena[std::size_t(i)], 0);
+  group.each_batch([&](const typename Group::Batch& b) {
+    typename Group::V u[TypeParam::D];
+    const auto p = this->point_of(group, b, u);
+    for (int k = 0; k < TypeParam::Kernel::lattices; ++k) {
+      typename Group::V value[TypeParam::D];
+      typename Group::V moment[TypeParam::D][TypeParam::D];
+      group.gather_moments(0, p.stencil.base[k], p.stencil.weight[k], value, moment);
+      for (int l = 0; l < b.active; ++l) ASSERT_EQ(lane(value[0], l), 0);
+    }
+  });
   group.clear(0);
   group.stage_out(0);  // nowhere to go
   for (const auto x : this->scene.write[0]) ASSERT_EQ(x, 0);

@@ -12,8 +12,10 @@ namespace {
 
 /// Output and wall clock in the hands of the test.
 class ProgressTest : public testing::Test {
- protected:
+ public:
   ~ProgressTest() override { std::fclose(file_); }
+
+ protected:
   Progress make(ProgressStyle style, double start = 0) {
     return Progress(file_, style, start, 2.0, [this] { return now_; });
   }
