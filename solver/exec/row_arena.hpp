@@ -22,11 +22,13 @@ struct RowArena {
   static inline void fill(const T* nodes, T* rows) {
     each_line([&](int line, int y) {
       if (y == extent - 1) return;
-      for (int n = line; n < line + extent - 1; ++n) {
-        T* row = rows + n * row_values;
-        std::memcpy(row, nodes + n * node_values, 2 * node_values * sizeof(T));
-        std::memcpy(row + 2 * node_values, nodes + (n + extent) * node_values,
-                    2 * node_values * sizeof(T));
+      const Quad* low = reinterpret_cast<const Quad*>(nodes) + line;
+      Quad* row = reinterpret_cast<Quad*>(rows + line * row_values);
+      SCREE_UNROLL for (int z = 0; z < extent - 1; ++z) {
+        row[4 * z] = low[z];
+        row[4 * z + 1] = low[z + 1];
+        row[4 * z + 2] = low[extent + z];
+        row[4 * z + 3] = low[extent + z + 1];
       }
     });
   }
