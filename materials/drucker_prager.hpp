@@ -24,6 +24,7 @@ namespace scree {
 /// compression ends free of stress.
 struct DruckerPrager {
   static constexpr const char* name = "drucker_prager";
+  static constexpr bool effective_stress = true;
 
   struct Input {
     double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< Pa

@@ -15,6 +15,7 @@ namespace scree {
 /// In confined uniaxial strain P_11 = (lambda + 2 mu)(s - 1) exactly, at any amplitude.
 struct FixedCorotated {
   static constexpr const char* name = "fixed_corotated";
+  static constexpr bool effective_stress = true;
 
   struct Input {
     double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< Pa
