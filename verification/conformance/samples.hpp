@@ -42,6 +42,16 @@ inline std::vector<FixedCorotated::Input> sample_inputs<FixedCorotated>() {
 }
 
 template <>
+inline std::vector<Hencky::Input> sample_inputs<Hencky>() {
+  return {{1e7, 0.3}, {2e5, 0.45}, {1e7, -0.4}};
+}
+
+template <>
+inline std::vector<VonMises::Input> sample_inputs<VonMises>() {
+  return {{1e7, 0.3, 2e5, 0}, {1e7, 0.45, 1e5, 1e6}, {1e7, 0.0, 5e5, 2e4}};
+}
+
+template <>
 inline std::vector<DruckerPrager::Input> sample_inputs<DruckerPrager>() {
   return {{1e7, 0.3, 30 * degree, 0, 0, Match::compression},
           {1e7, 0.2, 35 * degree, 2e4, 0, Match::plane_strain},
