@@ -11,22 +11,13 @@
 /// section 14.4.
 #pragma once
 
+#include "materials/log_determinant.hpp"
 #include "materials/material.hpp"
 #include "solver/base/eigen.hpp"
 #include "solver/base/math.hpp"
 #include "solver/base/polar.hpp"
 
 namespace scree::detail {
-
-/// ln det(I + L), to full relative accuracy for small L.
-template <class V>
-SCREE_FN V log_determinant(const Mat3<V>& L) {
-  using T = Scalar<V>;
-  const V minors = L(0, 0) * L(1, 1) - L(0, 1) * L(1, 0) + L(1, 1) * L(2, 2) - L(1, 2) * L(2, 1) +
-                   L(2, 2) * L(0, 0) - L(2, 0) * L(0, 2);
-  const V growth = trace(L) + minors + det(L);
-  return log1p(max(growth, broadcast<V>(T(-0.999))));  // a limit that no admissible step reaches
-}
 
 /// ln S_i = ln(b_i)/2; b_i is kept positive where rounding or an inadmissible F made it vanish.
 template <class V>
