@@ -56,6 +56,7 @@ enum class EntryKind {
   formula,
   formulas,
   points,
+  matrix,
   table,  ///< one nested table
   list,   ///< an array of nested tables
   named   ///< tables under names chosen by the user: [body.NAME]
@@ -123,6 +124,7 @@ class SchemaReader {
   bool formulas(const Entry&, const Value&, const std::string& path, Formula* result);
   bool points(const Entry&, const Value&, const std::string& path,
               std::vector<std::array<double, 2>>& result);
+  bool matrix(const Entry&, const Value&, const std::string& path, std::array<double, 9>& result);
 
   /// The members of a table of named tables; reports once when it holds anything else.
   std::vector<const Value*> named_tables(const Value& value, const std::string& path);
@@ -270,6 +272,8 @@ class Schema : public SchemaBase {
   /// Points of the plane, [m].
   Field<std::vector<std::array<double, 2>>> points(std::string key,
                                                    std::vector<std::array<double, 2>> S::*member);
+  /// Three rows of three numbers, without a unit; row-major.
+  Field<std::array<double, 9>> matrix(std::string key, std::array<double, 9> S::*member);
 
   /// A nested table; `schema` is a function, so that schemas may nest in themselves. Required
   /// unless .optional() follows, which gives the nested defaults.
@@ -318,6 +322,7 @@ std::string write_number(double value);
 std::string write_formula(const Formula& formula);
 std::string write_texts(const std::vector<std::string>& texts);
 std::string write_points(const std::vector<std::array<double, 2>>& points);
+std::string write_matrix(const std::array<double, 9>& matrix);
 /// `entry.length` or else `dimension` entries.
 std::string write_vector(const Entry& entry, const double* values, int dimension);
 std::string write_formulas(const Entry& entry, const Formula* formulas, int dimension);
