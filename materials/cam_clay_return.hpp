@@ -17,11 +17,11 @@ struct CamClayTrial {
   V volume;            ///< specific volume at the end of the step
 };
 
-/// What the step ends with.
+/// What the step ends with; stresses in units of pc at its end.
 template <class V>
 struct CamClayEnd {
   V ratio;         ///< p
-  V keep;          ///< q over its trial value
+  V keep;          ///< q over its trial value, each in its unit
   V hardening;     ///< growth of ln pc
   V shear_strain;  ///< plastic shear strain
 };
@@ -95,8 +95,9 @@ SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTria
   g.evaluate(t);
   const V shear = m * t * g.pressure;
   const V smallest = broadcast<V>(sizeof(T) == 4 ? T(1e-30) : T(1e-200));
-  end.ratio = select(yields, g.pressure, trial.ratio);
-  end.keep = select(yields, min(shear / max(trial.shear, smallest), one), one);
+  const V ratio = one / (one + t * t);
+  end.ratio = select(yields, ratio, trial.ratio);
+  end.keep = select(yields, m * t * ratio / max(trial.shear, smallest), one);
   end.hardening = select(yields, g.growth, zero);
   end.shear_strain =
       select(yields, max(trial.shear - shear, zero) / max(trial.three_shear, smallest), zero);

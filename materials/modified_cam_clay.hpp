@@ -73,17 +73,19 @@ struct ModifiedCamClay {
             T(9 * (1 - 2 * nu) / (2 * (1 + nu)))};
   }
 
-  /// The volume appears twice: v belongs to the material, ln J counts from wherever the body's
-  /// initial state was set.
+  /// The deviator is in units of the present pc, so that its entries stay below M. The volume
+  /// appears twice: v belongs to the material, ln J counts from wherever the body's initial state
+  /// was set.
   template <class V>
   struct State {
-    Sym3<V> stress_deviator;
+    Sym3<V> normalized_deviator;
     V log_specific_volume, log_preconsolidation, equivalent_plastic_strain, log_volume_ratio;
   };
 
   static std::vector<StateField> fields() {
     return {
-        {"stress_deviator", 6, "Pa", "Deviator of the effective Cauchy stress.", true},
+        {"normalized_deviator", 6, "1",
+         "Deviator of the effective Cauchy stress over the preconsolidation pressure.", true},
         {"log_specific_volume", 1, "1", "ln of the specific volume over its initial value.", true},
         {"log_preconsolidation", 1, "1",
          "ln of the preconsolidation pressure over its initial value.", true},
@@ -100,33 +102,27 @@ struct ModifiedCamClay {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T /*dt*/) {
-    // 1. Volume, and with it the trial pressure on the present swelling line. The return map knows
-    // stresses in units of the present pc.
-    const V pc = p.preconsolidation * exp(s.log_preconsolidation);
-    const V begin = volume(p, s), begin_ratio = log_pressure_ratio(p, s);
+    // 1. Volume, and with it the trial pressure on the present swelling line. Stresses are in units
+    // of the present pc.
+    const Swelling<V> begin(p, s);
     const V growth = detail::log_determinant(L);
     s.log_specific_volume = s.log_specific_volume + growth;
     s.log_volume_ratio = s.log_volume_ratio + growth;
-    CamClayTrial<V> trial;
-    trial.volume = volume(p, s);
-    trial.log_ratio = log_pressure_ratio(p, s);
-    trial.ratio = exp(trial.log_ratio);
+    const Swelling<V> moved(p, s);
+    CamClayTrial<V> trial{moved.log_ratio, exp(moved.log_ratio), {}, {}, moved.volume};
     // 2. Trial deviator; no elastic state has more pressure than pc.
-    const V pressures = exp(begin_ratio) + min(trial.ratio, broadcast<V>(T(1)));
+    const V pressures = exp(begin.log_ratio) + min(trial.ratio, broadcast<V>(T(1)));
     trial.three_shear =
-        (T(0.25) * p.three_shear_factor / p.kappa) * (begin + trial.volume) * pressures;
-    const V inverse = T(1) / pc;
-    Sym3<V> deviator =
-        turned_and_strained(s.stress_deviator, L, (T(2.0 / 3.0) * trial.three_shear) * pc);
-    trial.shear = T(1.2247448713915890) * norm(deviator) * inverse;
+        (T(0.25) * p.three_shear_factor / p.kappa) * (begin.volume + moved.volume) * pressures;
+    const Sym3<V> deviator =
+        turned_and_strained(s.normalized_deviator, L, T(2.0 / 3.0) * trial.three_shear);
+    trial.shear = T(1.2247448713915890) * norm(deviator);
     // 3. Return.
     const auto end = cam_clay_return(p.m, p.lambda, p.kappa, trial);
-    deviator = deviator * end.keep;
-    s.stress_deviator = deviator;
+    s.normalized_deviator = deviator * end.keep;
     s.log_preconsolidation = s.log_preconsolidation + end.hardening;
     s.equivalent_plastic_strain = s.equivalent_plastic_strain + end.shear_strain;
-    const V J = exp(s.log_volume_ratio);
-    return detail::plus_diagonal(deviator, -(pc * end.ratio)) * J;
+    return detail::plus_diagonal(s.normalized_deviator, -end.ratio) * pc_times_J(p, s);
   }
 
   /// With L = w n^T the work of the stress rate is K (w.n)^2 + G (1 + (w.n)^2/3) + (n.sn - w.sw)/2,
@@ -134,36 +130,35 @@ struct ModifiedCamClay {
   /// is associated, hence softer.
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    const V bulk = volume(p, s) * pressure(p, s) * (T(1) / p.kappa);
+    const Swelling<V> line(p, s);
+    const V bulk = line.volume * exp(line.log_ratio) * (T(1) / p.kappa);
     const V stiffness = bulk * (T(1) + T(4.0 / 9.0) * p.three_shear_factor) +
-                        T(0.70710678118654752) * norm(s.stress_deviator);
-    return sqrt(stiffness * exp(s.log_volume_ratio) * (T(1) / p.density));
+                        T(0.70710678118654752) * norm(s.normalized_deviator);
+    return sqrt(stiffness * pc_times_J(p, s) * (T(1) / p.density));
   }
 
   /// J (kappa p/v + |s|^2/(4 G)): the first term is what the pressure gives back along its swelling
   /// line, exactly; the second what the deviator gives back at constant volume.
   template <class V, class T>
   SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    const V compliance = p.kappa / volume(p, s);
-    const V mean = pressure(p, s);
-    const V size = norm(s.stress_deviator);
-    const V shear = (T(0.75) / p.three_shear_factor) * (size * size / mean);
-    return exp(s.log_volume_ratio) * compliance * (mean + shear);
+    const Swelling<V> line(p, s);
+    const V ratio = exp(line.log_ratio), size = norm(s.normalized_deviator);
+    const V shear = (T(0.75) / p.three_shear_factor) * (size * size / ratio);
+    return pc_times_J(p, s) * (p.kappa / line.volume) * (ratio + shear);
   }
 
   /// f/(M pc)^2, pc the present preconsolidation pressure.
   template <class V, class T>
   SCREE_FN static V yield_value(const Params<T>& p, const State<V>& s) {
-    const V pc = p.preconsolidation * exp(s.log_preconsolidation);
-    const V size = norm(s.stress_deviator) / (p.m * pc);
-    const V r = log_pressure_ratio(p, s);
+    const V size = norm(s.normalized_deviator) * (T(1) / p.m);
+    const V r = Swelling<V>(p, s).log_ratio;
     return T(1.5) * size * size + exp(r) * expm1(r);
   }
 
   /// e = v - 1.
   template <class V, class T>
   SCREE_FN static V void_ratio(const Params<T>& p, const State<V>& s) {
-    return volume(p, s) - T(1);
+    return Swelling<V>(p, s).volume - T(1);
   }
 
   template <class V, class T>
@@ -174,7 +169,7 @@ struct ModifiedCamClay {
   /// There must be voids. (An increment with det(I + L) <= 0 leaves none.)
   template <class V, class T>
   SCREE_FN static MaskOf<V> admissible(const Params<T>& p, const State<V>& s) {
-    return volume(p, s) > T(1);
+    return Swelling<V>(p, s).volume > T(1);
   }
 
  private:
@@ -188,24 +183,27 @@ struct ModifiedCamClay {
            in.kappa * std::log(pc / in.initial_pressure);
   }
 
-  template <class V, class T>
-  SCREE_FN static V volume(const Params<T>& p, const State<V>& s) {
-    return p.specific_volume * exp(s.log_specific_volume);
-  }
+  /// Where the state is on the swelling line of its pc.
+  template <class V>
+  struct Swelling {
+    V volume, log_ratio;  ///< v, ln(p/pc)
 
-  /// ln(p/pc), from the differences to the initial state: in single precision v itself would carry
-  /// the rounding of its last digit, times 1/kappa. Bounded where soil has long fallen apart, or
-  /// has no voids left, so that all numbers stay in range.
-  template <class V, class T>
-  SCREE_FN static V log_pressure_ratio(const Params<T>& p, const State<V>& s) {
-    const V change = p.specific_volume * expm1(s.log_specific_volume);
-    const V r = p.log_ratio - (change + p.lambda * s.log_preconsolidation) * (T(1) / p.kappa);
-    return min(max(r, broadcast<V>(T(-30))), broadcast<V>(T(30)));
-  }
+    /// From the differences to the initial state: in single precision v itself would carry the
+    /// rounding of its last digit, times 1/kappa. The ratio is bounded where soil has long fallen
+    /// apart, or has no voids left, so that all numbers stay in range.
+    template <class T>
+    SCREE_FN Swelling(const Params<T>& p, const State<V>& s) {
+      const V change = p.specific_volume * expm1(s.log_specific_volume);
+      volume = p.specific_volume + change;
+      const V r = p.log_ratio - (change + p.lambda * s.log_preconsolidation) * (T(1) / p.kappa);
+      log_ratio = min(max(r, broadcast<V>(T(-30))), broadcast<V>(T(30)));
+    }
+  };
 
+  /// [Pa]
   template <class V, class T>
-  SCREE_FN static V pressure(const Params<T>& p, const State<V>& s) {
-    return p.preconsolidation * exp(s.log_preconsolidation + log_pressure_ratio(p, s));
+  SCREE_FN static V pc_times_J(const Params<T>& p, const State<V>& s) {
+    return p.preconsolidation * exp(s.log_preconsolidation + s.log_volume_ratio);
   }
 
   /// R s R^T + two_shear dev ln U with I + L = U R: both parts from the eigenproblem of (I + L)(I +
