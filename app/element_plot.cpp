@@ -101,10 +101,17 @@ Chart stress_path(const ElementResult& result, StressUnit unit) {
   return chart;
 }
 
-Chart volume_strain(const ElementResult& result, const StrainAxis& strain) {
+/// Or the pore pressure, where the volume stays.
+Chart volume_strain(const ElementResult& result, const StrainAxis& strain, StressUnit unit) {
   Chart chart;
   chart.x_label = strain.label();
-  chart.y_label = "Volumetric strain (%), compression positive";
+  if (result.rows.front().pore_pressure) {
+    chart.y_label = fmt::format("Excess pore pressure ({})", unit.name);
+    chart.curves.push_back(curve_of(
+        result, strain, [&](const ElementRow& row) { return *row.pore_pressure / unit.size; }));
+    return chart;
+  }
+  chart.y_label = "Volumetric strain (%)";
   chart.curves.push_back(curve_of(
       result, strain, [](const ElementRow& row) { return 100 * (0.0 + row.strain.volumetric); }));
   return chart;
@@ -149,12 +156,13 @@ void plot_element(const ElementDeck& deck, const ElementResult& result, const st
   const bool compressed = std::all_of(result.rows.begin(), result.rows.end(),
                                       [](const ElementRow& row) { return row.pressure() > 0; });
   std::vector<Chart> charts{stress_strain(result, strain, unit, deck.driven.type),
-                            stress_path(result, unit), volume_strain(result, strain)};
+                            stress_path(result, unit), volume_strain(result, strain, unit)};
   charts.push_back(result.void_ratio_known && compressed ? void_ratio(result, unit)
                                                          : stress_ratio(result, strain));
   const std::string title = deck.title.empty() ? deck.name : deck.title;
-  const std::string subtitle = fmt::format("{}, {} steps, {}", lab_test_name(deck.driven.type),
-                                           result.rows.back().step, deck.materials.front().model);
+  const std::string subtitle =
+      fmt::format("{}, {} steps, {}; compression positive", lab_test_name(deck.driven.type),
+                  result.rows.back().step, deck.materials.front().model);
   draw_page(title, subtitle, charts).write_png(path, plot_mark);
 }
 

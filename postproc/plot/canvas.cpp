@@ -53,6 +53,53 @@ std::vector<std::pair<Pixel, Pixel>> pieces(const std::vector<Pixel>& points, do
   return result;
 }
 
+/// How much of each pixel of a rectangle is covered.
+class Coverage {
+ public:
+  explicit Coverage(const Frame& box)
+      : box_(box),
+        left_(static_cast<int>(box.left)),
+        bottom_(static_cast<int>(box.bottom)),
+        columns_(static_cast<int>(box.right) - left_ + 1),
+        rows_(static_cast<int>(box.top) - bottom_ + 1),
+        share_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0.0F) {}
+
+  /// A segment with round ends.
+  void add(Pixel a, Pixel b, double radius) {
+    const double reach = radius + 1;
+    const int x0 = static_cast<int>(std::max(box_.left, std::floor(std::min(a.x, b.x) - reach)));
+    const int x1 = static_cast<int>(std::min(box_.right, std::ceil(std::max(a.x, b.x) + reach)));
+    const int y0 = static_cast<int>(std::max(box_.bottom, std::floor(std::min(a.y, b.y) - reach)));
+    const int y1 = static_cast<int>(std::min(box_.top, std::ceil(std::max(a.y, b.y) + reach)));
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        const double d = distance_to_segment({x + 0.5, y + 0.5}, a, b);
+        float& share = at(x, y);
+        share = std::max(share, static_cast<float>(std::clamp(radius + 0.5 - d, 0.0, 1.0)));
+      }
+    }
+  }
+
+  template <class Visit>
+  void for_each(Visit visit) {
+    for (int y = bottom_; y < bottom_ + rows_; ++y) {
+      for (int x = left_; x < left_ + columns_; ++x) {
+        if (at(x, y) > 0) visit(x, y, static_cast<double>(at(x, y)));
+      }
+    }
+  }
+
+ private:
+  float& at(int x, int y) {
+    return share_[static_cast<std::size_t>(y - bottom_) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(x - left_)];
+  }
+
+  Frame box_;
+  int left_, bottom_, columns_, rows_;
+  std::vector<float> share_;
+};
+
 }  // namespace
 
 Canvas::Canvas(int width, int height)
@@ -70,23 +117,6 @@ void Canvas::blend(int x, int y, const Colour& colour, double share) {
   }
 }
 
-void Canvas::cover(std::vector<float>& mask, const Frame& box, Pixel a, Pixel b,
-                   double radius) const {
-  const double reach = radius + 1;
-  const int x0 = static_cast<int>(std::max(box.left, std::floor(std::min(a.x, b.x) - reach)));
-  const int x1 = static_cast<int>(std::min(box.right, std::ceil(std::max(a.x, b.x) + reach)));
-  const int y0 = static_cast<int>(std::max(box.bottom, std::floor(std::min(a.y, b.y) - reach)));
-  const int y1 = static_cast<int>(std::min(box.top, std::ceil(std::max(a.y, b.y) + reach)));
-  for (int y = y0; y <= y1; ++y) {
-    for (int x = x0; x <= x1; ++x) {
-      const double d = distance_to_segment({x + 0.5, y + 0.5}, a, b);
-      float& share = mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                          static_cast<std::size_t>(x)];
-      share = std::max(share, static_cast<float>(std::clamp(radius + 0.5 - d, 0.0, 1.0)));
-    }
-  }
-}
-
 void Canvas::line(const std::vector<Pixel>& points, const Frame& frame, Colour colour,
                   double thickness, double dash) {
   if (points.empty()) return;
@@ -96,18 +126,21 @@ void Canvas::line(const std::vector<Pixel>& points, const Frame& frame, Colour c
     if (length(kept.back(), p) > 0.33) kept.push_back(p);
   }
   kept.push_back(points.back());
-  // The largest share a pixel is covered by any piece: overlapping ends do not show.
-  std::vector<float> mask(pixels_.size() / 3, 0.0F);
-  const Frame box{std::max(0.0, frame.left), std::max(0.0, frame.bottom),
-                  std::min(width_ - 1.0, frame.right), std::min(height_ - 1.0, frame.top)};
-  for (const auto& [a, b] : pieces(kept, dash)) cover(mask, box, a, b, 0.5 * thickness);
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                            static_cast<std::size_t>(x);
-      if (mask[i] > 0) blend(x, y, colour, static_cast<double>(mask[i]));
-    }
+  Frame box{frame.right, frame.top, frame.left, frame.bottom};
+  for (const Pixel& p : kept) {
+    box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
+           std::max(box.top, p.y)};
   }
+  const double reach = 0.5 * thickness + 2;
+  box.left = std::floor(std::max({0.0, frame.left, box.left - reach}));
+  box.bottom = std::floor(std::max({0.0, frame.bottom, box.bottom - reach}));
+  box.right = std::min({width_ - 1.0, frame.right, box.right + reach});
+  box.top = std::min({height_ - 1.0, frame.top, box.top + reach});
+  if (box.right < box.left || box.top < box.bottom) return;
+  // The largest share a pixel is covered by any piece: overlapping ends do not show.
+  Coverage coverage(box);
+  for (const auto& [a, b] : pieces(kept, dash)) coverage.add(a, b, 0.5 * thickness);
+  coverage.for_each([&](int x, int y, double share) { blend(x, y, colour, share); });
 }
 
 void Canvas::dot(Pixel centre, double radius, Colour colour) {

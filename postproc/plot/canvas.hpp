@@ -46,7 +46,6 @@ class Canvas {
 
  private:
   void blend(int x, int y, const Colour& colour, double share);
-  void cover(std::vector<float>& mask, const Frame& box, Pixel a, Pixel b, double radius) const;
 
   int width_, height_;
   std::vector<std::uint8_t> pixels_;  ///< rgb, rows from the bottom

@@ -33,7 +33,7 @@ void append_row(std::string& text, const ElementRow& row, const std::vector<Stat
   // 0.0 - x: compression positive without a "-0".
   fmt::format_to(out, "{},{},{},{},{},{},{},{},{},{},{}", row.step, row.strain.axial,
                  0.0 + row.strain.volumetric, row.strain.shear, 0.0 + row.pressure(),
-                 row.deviatoric(), 0.0 - s.xx, 0.0 - s.yy, 0.0 - s.zz, s.xy, row.void_ratio);
+                 row.deviatoric(), 0.0 - s.xx, 0.0 - s.yy, 0.0 - s.zz, 0.0 + s.xy, row.void_ratio);
   std::size_t first = 0;
   for (const StateField& field : fields) {
     const auto count = static_cast<std::size_t>(field.components);

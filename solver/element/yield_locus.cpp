@@ -26,21 +26,19 @@ class Probe {
   explicit Probe(MaterialPoint& point) : point_(point) {
     unload();
     start_ = point_.entries();
+    stress_ = cauchy_stress(point_);
   }
 
   /// Whether the point stays inside of the surface under a volumetric and then an axial,
-  /// volume-preserving strain, both logarithmic, compression positive. The point is moved.
+  /// volume-preserving strain, both logarithmic, compression positive. The point is moved there.
   bool move(double volumetric, double axial) {
     point_.set_entries(start_);
-    Mat3<double> step = zero3<double>();
-    step(0, 0) = step(1, 1) = step(2, 2) = std::expm1(-volumetric / 3);
-    point_.advance(step, long_time);
-    if (axial > 0) {
-      step(0, 0) = std::expm1(-axial);
-      step(1, 1) = step(2, 2) = std::expm1(0.5 * axial);
-      point_.advance(step, long_time);
-    }
-    return point_.admissible() && *point_.yield_value() < -touching;
+    strain(volumetric, axial);
+    const std::vector<double> there = point_.entries();
+    const bool inside = point_.admissible() && *point_.yield_value() < -touching;
+    const bool elastic = inside && returns(volumetric, axial);
+    point_.set_entries(there);
+    return elastic;
   }
 
   /// The largest amount below 0.3 that stays inside; `at` makes the move for an amount.
@@ -71,6 +69,22 @@ class Probe {
   std::pair<double, double> stress() const { return {pressure(point_), deviatoric(point_)}; }
 
  private:
+  void strain(double volumetric, double axial) {
+    Mat3<double> step = zero3<double>();
+    step(0, 0) = std::expm1(-axial - volumetric / 3);
+    step(1, 1) = step(2, 2) = std::expm1(0.5 * axial - volumetric / 3);
+    point_.advance(step, long_time);
+  }
+
+  /// Whether the opposite strain leads back to the stress at the start: some laws harden after the
+  /// return map, so that a state which has yielded lies inside of the new surface.
+  bool returns(double volumetric, double axial) {
+    const Sym3<double> there = cauchy_stress(point_);
+    strain(-volumetric, -axial);
+    const Sym3<double> back = cauchy_stress(point_);
+    return norm(back - stress_) <= 1e-6 * norm(there - stress_);
+  }
+
   /// Strains against the deviator of stress, as far as its present slope says, until it is gone.
   void unload() {
     for (int i = 0; i < 50; ++i) {
@@ -90,6 +104,7 @@ class Probe {
 
   MaterialPoint& point_;
   std::vector<double> start_;
+  Sym3<double> stress_;
 };
 
 }  // namespace
