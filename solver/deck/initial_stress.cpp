@@ -88,11 +88,11 @@ Finding not_carried(const Law& law, const InitialStress& field, const MaterialSp
   const Stress stress = field.at(x);
   std::string message = "model " + material.model + " has no elastic state with the stress " +
                         vector_text(stress.data(), 3) + " Pa";
-  message += " at " + vector_text(x, dimension) + " m";
   if (!field.geostatic()) {
     return {"value", message, "stresses inside the yield surface, of a kind that the law carries",
             "change the stress or the strength of the material"};
   }
+  message += " at " + vector_text(x, dimension) + " m";
   const std::string possible = possible_k0(law, field, x);
   return {"", message + ", k0 = " + short_number(field.k0()), possible,
           possible.empty() ? "change the material" : "set k0, or change the strength"};
@@ -102,12 +102,12 @@ Finding not_carried(const Law& law, const InitialStress& field, const MaterialSp
 std::vector<std::size_t> sample_of(const InitialStress& field,
                                    const std::vector<double>& position) {
   constexpr std::size_t most = 24;
+  if (!field.geostatic()) return {0};
   std::vector<std::size_t> order(position.size() / 3);
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return field.depth(&position[3 * a]) < field.depth(&position[3 * b]);
   });
-  if (!field.geostatic()) order.resize(1);
   if (order.size() <= most) return order;
   std::vector<std::size_t> sample;
   for (std::size_t i = 0; i < most; ++i) {
