@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "verification/conformance/principal_paths.hpp"
+#include "verification/conformance/samples/mohr_coulomb.hpp"
 
 namespace scree {
 namespace {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "verification/conformance/principal_paths.hpp"
+#include "verification/conformance/samples/hencky.hpp"
+#include "verification/conformance/samples/von_mises.hpp"
 
 namespace scree {
 namespace {
