@@ -67,6 +67,9 @@ int element_command(const ElementOptions& options) {
   }
   const std::string table = options.output.empty() ? deck.name + ".csv" : options.output;
   check_target(table, element_columns, options.overwrite);
+  if (options.plot == table) {
+    throw UserError("-o and --plot name the same file, " + table);
+  }
   if (!options.plot.empty()) check_target(options.plot, plot_mark, options.overwrite);
   const ElementResult result = drive_element(deck);
   replace_file(table, element_csv(result));
