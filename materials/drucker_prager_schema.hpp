@@ -75,6 +75,7 @@ inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
   Schema<Input> s(name, "Sand: Hencky elasticity with a Drucker-Prager cone.");
   elastic_keys(s);
   s.number("friction_angle", &Input::friction_angle, Unit::angle)
+      .typical(0.55)
       .at_least(0)
       .below(right_angle)
       .fallback_text("required without h0 to h3")
@@ -102,7 +103,8 @@ inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
   s.check({"friction_angle", "dilation_angle", "h0", "h3"},
           [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
             const FrictionHardening h = in.hardening();
-            const double friction = h.all_given() ? h.angle(0) : in.friction_angle;
+            // 1e-12: h0 - h3 is rounded.
+            const double friction = h.all_given() ? h.angle(0) * (1 + 1e-12) : in.friction_angle;
             // Without any friction angle the first check speaks.
             if (std::isnan(friction) || in.dilation_angle <= friction) return std::nullopt;
             return Finding{"dilation_angle", "dilation above friction would create energy",

@@ -25,9 +25,11 @@ struct FixedCorotated {
   static Schema<Input> schema() {
     Schema<Input> s(name, "Elastic solid, linear in stretch: fixed-corotated hyperelasticity.");
     s.number("youngs_modulus", &Input::youngs_modulus, Unit::pressure)
+        .typical(1e7)
         .above(0)
         .doc("Young's modulus at small strain.");
     s.number("poissons_ratio", &Input::poissons_ratio)
+        .typical(0.3)
         .above(-1)
         .below(0.5)
         .doc("Poisson's ratio at small strain.");

@@ -10,25 +10,33 @@ namespace scree {
 inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
   using Result = std::optional<Finding>;
   Schema<Input> s(name, "Clay: modified Cam clay, critical state soil mechanics.");
-  s.number("m", &Input::m).above(0).doc("Slope M = q/p of the critical state line.");
+  s.number("m", &Input::m).typical(1.2).above(0).doc("Slope M = q/p of the critical state line.");
   s.number("lambda", &Input::lambda)
+      .typical(0.2)
       .above(0)
       .doc("Slope of the normal compression line in v over ln p.");
-  s.number("kappa", &Input::kappa).above(0).doc("Slope of swelling lines in v over ln p.");
+  s.number("kappa", &Input::kappa)
+      .typical(0.04)
+      .above(0)
+      .doc("Slope of swelling lines in v over ln p.");
   s.number("poissons_ratio", &Input::poissons_ratio)
+      .typical(0.3)
       .above(-1)
       .below(0.5)
       .doc("Poisson's ratio of elastic changes of stress.");
   s.number("reference_void_ratio", &Input::reference_void_ratio)
+      .typical(2)
       .above(0)
       .doc("Void ratio of the normal compression line at p = 1 kPa, N - 1.");
   s.number("initial_pressure", &Input::initial_pressure, Unit::pressure)
+      .typical(1e5)
       .above(0)
       .doc("Mean effective pressure at the start; the body begins under this isotropic stress.");
   s.number("preconsolidation_pressure", &Input::preconsolidation_pressure, Unit::pressure)
       .above(0)
       .doc("Isotropic pressure pc at which the soil yields at the start; or give ocr.");
   s.number("ocr", &Input::ocr)
+      .typical(1.5)
       .at_least(1)
       .doc("Overconsolidation ratio pc/p at the start, instead of preconsolidation_pressure.");
   s.check({"lambda", "kappa"}, [](const Input& in, const SchemaContext&) -> Result {

@@ -19,6 +19,7 @@ inline void mohr_coulomb_peak_keys(Schema<MohrCoulomb::Input>& s) {
   using Input = MohrCoulomb::Input;
   constexpr double right_angle = 1.57079632679489662;
   s.number("friction_angle", &Input::friction_angle, Unit::angle)
+      .typical(0.55)
       .at_least(0)
       .below(right_angle)
       .doc("Friction angle; 0 with a cohesion: Tresca's law.");

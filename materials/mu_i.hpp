@@ -176,13 +176,18 @@ struct MuI {
 inline Schema<MuI::Input> MuI::schema() {
   Schema<Input> s(name, "Dense granular flow: mu(I) rheology with elastic grains.");
   elastic_keys(s);
-  s.number("mu_s", &Input::mu_s).above(0).doc("Friction coefficient of slow flow.");
-  s.number("mu_2", &Input::mu_2).above(0).doc("Friction coefficient of fast flow.");
-  s.number("i0", &Input::i0).above(0).doc("Inertial number halfway from mu_s to mu_2.");
+  s.number("mu_s", &Input::mu_s).typical(0.38).above(0).doc("Friction coefficient of slow flow.");
+  s.number("mu_2", &Input::mu_2).typical(0.64).above(0).doc("Friction coefficient of fast flow.");
+  s.number("i0", &Input::i0)
+      .typical(0.279)
+      .above(0)
+      .doc("Inertial number halfway from mu_s to mu_2.");
   s.number("grain_diameter", &Input::grain_diameter, Unit::length)
+      .typical(1e-3)
       .above(0)
       .doc("Grain diameter d in I = g d/sqrt(p/rho_s).");
   s.number("grain_density", &Input::grain_density, Unit::density)
+      .typical(2500)
       .above(0)
       .doc("Density rho_s of the grains; density over grain_density is the solid fraction.");
   s.check({"mu_s", "mu_2"}, [](const Input& in, const SchemaContext&) -> std::optional<Finding> {

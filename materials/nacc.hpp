@@ -29,6 +29,8 @@ namespace scree {
 /// without deformation (L = 0) does no return, so that it changes nothing.
 struct Nacc {
   static constexpr const char* name = "nacc";
+  /// The surface moves after the return, once a step, as published.
+  static constexpr bool explicit_hardening = true;
   static constexpr bool effective_stress = true;
 
   struct Input {
@@ -262,11 +264,18 @@ inline Schema<Nacc::Input> Nacc::schema() {
   Schema<Input> s(name, "Crushable solid (snow, soft rock, pumpkin): non-associated Cam clay.");
   elastic_keys(s);
   s.number("alpha0", &Input::alpha0)
+      .typical(-0.04)
       .at_most(0)
       .doc("Plastic ln J at the start: p0 = K sinh(-xi alpha0).");
-  s.number("beta", &Input::beta).at_least(0).doc("Cohesion: tensile strength over p0.");
-  s.number("xi", &Input::xi).above(0).doc("Hardening factor of plastic ln J.");
-  s.number("m", &Input::m).above(0).doc("Slope M of the critical state line for beta = 0.");
+  s.number("beta", &Input::beta)
+      .typical(0.5)
+      .at_least(0)
+      .doc("Cohesion: tensile strength over p0.");
+  s.number("xi", &Input::xi).typical(3).above(0).doc("Hardening factor of plastic ln J.");
+  s.number("m", &Input::m)
+      .typical(1.2)
+      .above(0)
+      .doc("Slope M of the critical state line for beta = 0.");
   s.number("p0_offset", &Input::p0_offset)
       .at_least(0)
       .fallback(0.0)

@@ -125,6 +125,7 @@ struct Newtonian {
 inline Schema<Newtonian::Input> Newtonian::schema() {
   Schema<Input> s(name, "Weakly compressible fluid with Newtonian viscosity.");
   s.number("bulk_modulus", &Input::bulk_modulus, Unit::pressure)
+      .typical(1e6)
       .above(0)
       .doc(
           "Bulk modulus at rest, rho0 c0^2; about (10 v_max)^2 rho0 keeps the density within 1 %.");

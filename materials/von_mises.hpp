@@ -29,6 +29,7 @@ struct VonMises {
     Schema<Input> s(name, "Metal, or clay without drainage: von Mises yield, linear hardening.");
     elastic_keys(s);
     s.number("yield_stress", &Input::yield_stress, Unit::pressure)
+        .typical(1e5)
         .above(0)
         .doc("Yield stress in uniaxial tension; twice the undrained strength of clay.");
     s.number("hardening_modulus", &Input::hardening_modulus, Unit::pressure)

@@ -71,6 +71,7 @@ struct Entry {
   std::string fallback_text;           ///< the default as the reference prints it
   std::optional<double> lower, upper;  ///< range of numbers, integers and vector entries
   bool lower_open = false, upper_open = false;
+  std::optional<double> typical;  ///< of a number, SI: what benchmarks and tests use
   int length = 0;                           ///< entries of a vector; 0: domain.dimension
   int dimension = 0;                        ///< only available with this domain.dimension; 0: both
   std::vector<std::string> choices, later;  ///< allowed names; known names of later versions
@@ -160,6 +161,8 @@ class Field {
   Field& at_least(double x) { return entry_->lower = x, entry_->lower_open = false, *this; }
   Field& below(double x) { return entry_->upper = x, entry_->upper_open = true, *this; }
   Field& at_most(double x) { return entry_->upper = x, entry_->upper_open = false, *this; }
+  /// An example in SI, for benchmarks and tests; it is not a default.
+  Field& typical(double x) { return entry_->typical = x, *this; }
   /// The default.
   Field& fallback(T value) {
     entry_->required = false;
