@@ -13,7 +13,7 @@
 
 #include "materials/log_determinant.hpp"
 #include "materials/material.hpp"
-#include "solver/base/eigen.hpp"
+#include "solver/base/eigen_closed.hpp"
 #include "solver/base/math.hpp"
 #include "solver/base/polar.hpp"
 
@@ -39,7 +39,7 @@ struct PrincipalStrain {
 /// Of the left stretch; V of the singular value decomposition is not needed.
 template <class V>
 SCREE_FN PrincipalStrain<V> principal_strain(const Mat3<V>& F) {
-  const SymEigen<V> b = eigen_symmetric(symmetric_product(F));
+  const SymEigen<V> b = eigen_symmetric_closed(symmetric_product(F));
   return {b.vectors, log_stretches(b)};
 }
 
