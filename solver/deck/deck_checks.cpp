@@ -265,8 +265,9 @@ class Checker {
       sites *= (box.upper[i] - box.lower[i]) / spacing + 1;
     }
     if (sites > most_sites) {
-      std::vector<double> corners(box.lower.begin(), box.lower.end());
-      corners.insert(corners.end(), box.upper.begin(), box.upper.end());
+      std::vector<double> corners;  // the first and the last site inside
+      for (const double x : box.lower) corners.push_back(x + 0.5 * spacing);
+      for (const double x : box.upper) corners.push_back(x - 0.5 * spacing);
       return check_initial_stress(body, corners);
     }
     const auto particles = sample(shape, deck_.domain.lower, deck_.domain.cell_size,
