@@ -29,6 +29,17 @@ StressUnit stress_unit(const ElementResult& result) {
   return largest >= 1e3 ? StressUnit{1e3, "kPa"} : StressUnit{1, "Pa"};
 }
 
+/// Zero where a value is only rounding of numbers of this size.
+double settled(double value, double size) { return std::abs(value) > 1e-9 * size ? value : 0.0; }
+
+double largest_stress(const ElementRow& row) {
+  const Sym3<double>& s = row.cauchy;
+  return std::max({std::abs(s.xx), std::abs(s.yy), std::abs(s.zz), std::abs(s.xy)});
+}
+
+/// q without rounding.
+double deviatoric(const ElementRow& row) { return settled(row.deviatoric(), largest_stress(row)); }
+
 /// The points that a function of a row gives.
 template <class X, class Y>
 Curve curve_of(const ElementResult& result, X x, Y y) {
@@ -42,23 +53,26 @@ Curve curve_of(const ElementResult& result, X x, Y y) {
   return curve;
 }
 
-/// The strain along which a test is plotted, in percent.
+/// The strain along which a test is plotted, in percent unless it is a flow.
 class StrainAxis {
  public:
   explicit StrainAxis(const ElementResult& result, LabTest type)
       : shear_(type == LabTest::simple_shear) {
-    if (type != LabTest::gradient) return;
     const PathStrain& last = result.rows.back().strain;
-    shear_ = std::abs(last.shear) > std::abs(last.axial);
+    if (type == LabTest::gradient) shear_ = std::abs(last.shear) > std::abs(last.axial);
+    for (const ElementRow& row : result.rows) large_ |= shear_ && std::abs(row.strain.shear) > 2;
   }
   double operator()(const ElementRow& row) const {
-    return 100 * (shear_ ? row.strain.shear : row.strain.axial);
+    return (large_ ? 1 : 100) * (shear_ ? row.strain.shear : row.strain.axial);
   }
   bool shear() const { return shear_; }
-  const char* label() const { return shear_ ? "Shear strain (%)" : "Axial strain (%)"; }
+  const char* label() const {
+    if (large_) return "Shear strain";
+    return shear_ ? "Shear strain (%)" : "Axial strain (%)";
+  }
 
  private:
-  bool shear_ = false;
+  bool shear_ = false, large_ = false;
 };
 
 Chart stress_strain(const ElementResult& result, const StrainAxis& strain, StressUnit unit,
@@ -75,7 +89,7 @@ Chart stress_strain(const ElementResult& result, const StrainAxis& strain, Stres
     chart.y_label =
         fmt::format("{} ({})", strain.shear() ? "Shear stress" : "Deviatoric stress q", unit.name);
     chart.curves.push_back(curve_of(result, strain, [&](const ElementRow& row) {
-      return (strain.shear() ? row.cauchy.xy : row.deviatoric()) / unit.size;
+      return (strain.shear() ? row.cauchy.xy : deviatoric(row)) / unit.size;
     }));
   }
   return chart;
@@ -87,7 +101,7 @@ Chart stress_path(const ElementResult& result, StressUnit unit) {
   chart.y_label = fmt::format("Deviatoric stress q ({})", unit.name);
   Curve path = curve_of(
       result, [&](const ElementRow& row) { return row.pressure() / unit.size; },
-      [&](const ElementRow& row) { return row.deviatoric() / unit.size; });
+      [&](const ElementRow& row) { return deviatoric(row) / unit.size; });
   path.name = "path";
   Curve yield;
   for (const auto& [p, q] : yield_locus(result)) {
@@ -107,21 +121,27 @@ Chart volume_strain(const ElementResult& result, const StrainAxis& strain, Stres
   chart.x_label = strain.label();
   if (result.rows.front().pore_pressure) {
     chart.y_label = fmt::format("Excess pore pressure ({})", unit.name);
-    chart.curves.push_back(curve_of(
-        result, strain, [&](const ElementRow& row) { return *row.pore_pressure / unit.size; }));
+    chart.curves.push_back(curve_of(result, strain, [&](const ElementRow& row) {
+      return settled(*row.pore_pressure, largest_stress(row)) / unit.size;
+    }));
     return chart;
   }
   chart.y_label = "Volumetric strain (%)";
-  chart.curves.push_back(curve_of(
-      result, strain, [](const ElementRow& row) { return 100 * (0.0 + row.strain.volumetric); }));
+  chart.curves.push_back(curve_of(result, strain, [](const ElementRow& row) {
+    return 100 * settled(row.strain.volumetric, 1e3);
+  }));
   return chart;
 }
 
 Chart void_ratio(const ElementResult& result, StressUnit unit) {
   Chart chart;
-  chart.x_label = fmt::format("Pressure p ({}), logarithmic", unit.name);
+  const auto [low, high] = std::minmax_element(
+      result.rows.begin(), result.rows.end(),
+      [](const ElementRow& a, const ElementRow& b) { return a.pressure() < b.pressure(); });
+  chart.logarithmic_x = high->pressure() > 2 * low->pressure();
+  chart.x_label =
+      fmt::format("Pressure p ({}){}", unit.name, chart.logarithmic_x ? ", logarithmic" : "");
   chart.y_label = "Void ratio";
-  chart.logarithmic_x = true;
   chart.curves.push_back(curve_of(
       result, [&](const ElementRow& row) { return row.pressure() / unit.size; },
       [](const ElementRow& row) { return row.void_ratio; }));
@@ -139,7 +159,7 @@ Chart stress_ratio(const ElementResult& result, const StrainAxis& strain) {
   for (const ElementRow& row : result.rows) {
     if (!(row.pressure() > 1e-6 * largest)) continue;
     curve.x.push_back(strain(row));
-    curve.y.push_back(row.deviatoric() / row.pressure());
+    curve.y.push_back(deviatoric(row) / row.pressure());
   }
   curve.colour = path_colour;
   chart.curves.push_back(curve);

@@ -184,6 +184,7 @@ void Canvas::write_png(const std::string& path, const std::string& mark) const {
   std::memcpy(image->GetScalarPointer(), pixels_.data(), pixels_.size());
   vtkNew<vtkPNGWriter> writer;
   writer->WriteToMemoryOn();
+  writer->SetCompressionLevel(9);
   writer->AddText("Software", mark.c_str());
   writer->SetInputData(image);
   writer->Write();

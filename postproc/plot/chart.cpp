@@ -73,9 +73,9 @@ Axis choose_axis(const Chart& chart, std::vector<double> Curve::*values, bool lo
   }
   if (low > high) return {};
   if (logarithmic) return {low / 1.1, high * 1.1, true};
-  // What is flat to rounding is shown as flat.
+  // What is flat to four digits is shown as flat: labels have few digits.
   const double size = std::max(std::abs(low), std::abs(high));
-  if (!(high - low > 1e-9 * size)) {
+  if (!(high - low > 1e-4 * size)) {
     const double room = size > 0 ? 0.1 * size : 1;
     low -= room;
     high += room;
