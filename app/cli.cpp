@@ -127,6 +127,8 @@ void add_bench(CommandLine& line) {
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   choice("--backend", options.backend, {"cpu", "cuda"}, "Where to compute");
+  bench.add_flag("--material-only", options.material_only,
+                 "Print ns a particle of each material law by itself, on one core");
   bench.add_flag("--json", options.json, "Print one JSON object and nothing else");
   bench.callback([&line] { line.action = [&line] { return bench_command(line.bench); }; });
 }
