@@ -8,10 +8,15 @@
 
 namespace scree {
 
+/// ln(p/pc) at which soil has fallen apart: at a pressure of 3e-7 pc it is taken to carry no shear
+/// and not to soften any more. The specific volume goes on, so it carries load again when it has
+/// come together to where it parted. (The largest q there is M pc e^-7.5: 6e-4 of pc.)
+inline constexpr double cam_clay_apart = -15;
+
 /// Trial state of a step; stresses in units of pc at its start.
 template <class V>
 struct CamClayTrial {
-  V log_ratio, ratio;  ///< ln(p/pc) on the swelling line of pc, and p/pc
+  V log_ratio, ratio;  ///< ln(p/pc) on the swelling line of pc; p/pc, at most 1
   V shear;             ///< q
   V three_shear;       ///< 3 G, constant during the step
   V volume;            ///< specific volume at the end of the step
@@ -67,7 +72,11 @@ template <class V, class T>
 SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTrial<V>& trial) {
   const V zero = broadcast<V>(0), one = broadcast<V>(1);
   CamClayEnd<V> end{trial.ratio, one, zero, zero};
-  const MaskOf<V> yields = trial.shear * trial.shear > (m * m) * trial.ratio * (T(1) - trial.ratio);
+  const MaskOf<V> apart = trial.log_ratio <= T(cam_clay_apart);
+  end.keep = select(apart, zero, one);
+  const V square = trial.shear * trial.shear;
+  const MaskOf<V> outside = square > (m * m) * trial.ratio * (T(1) - trial.ratio);
+  const MaskOf<V> yields = (outside | (trial.log_ratio > T(0))) & !apart;
   if (!any(yields)) return end;
   const V h = (T(2) * (lambda - kappa) / m) * trial.three_shear / trial.volume;
   detail::CamClayEquation<V, T> g{
@@ -97,7 +106,7 @@ SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTria
   const V smallest = broadcast<V>(sizeof(T) == 4 ? T(1e-30) : T(1e-200));
   const V ratio = one / (one + t * t);
   end.ratio = select(yields, ratio, trial.ratio);
-  end.keep = select(yields, m * t * ratio / max(trial.shear, smallest), one);
+  end.keep = select(yields, m * t * ratio / max(trial.shear, smallest), end.keep);
   end.hardening = select(yields, g.growth, zero);
   end.shear_strain =
       select(yields, max(trial.shear - shear, zero) / max(trial.three_shear, smallest), zero);

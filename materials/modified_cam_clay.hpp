@@ -109,9 +109,9 @@ struct ModifiedCamClay {
     s.log_specific_volume = s.log_specific_volume + growth;
     s.log_volume_ratio = s.log_volume_ratio + growth;
     const Swelling<V> moved(p, s);
-    CamClayTrial<V> trial{moved.log_ratio, exp(moved.log_ratio), {}, {}, moved.volume};
-    // 2. Trial deviator; no elastic state has more pressure than pc.
-    const V pressures = exp(begin.log_ratio) + min(trial.ratio, broadcast<V>(T(1)));
+    CamClayTrial<V> trial{moved.log_ratio, moved.ratio(), {}, {}, moved.volume};
+    // 2. Trial deviator.
+    const V pressures = begin.ratio() + trial.ratio;
     trial.three_shear =
         (T(0.25) * p.three_shear_factor / p.kappa) * (begin.volume + moved.volume) * pressures;
     const Sym3<V> deviator =
@@ -131,7 +131,7 @@ struct ModifiedCamClay {
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
     const Swelling<V> line(p, s);
-    const V bulk = line.volume * exp(line.log_ratio) * (T(1) / p.kappa);
+    const V bulk = line.volume * line.ratio() * (T(1) / p.kappa);
     const V stiffness = bulk * (T(1) + T(4.0 / 9.0) * p.three_shear_factor) +
                         T(0.70710678118654752) * norm(s.normalized_deviator);
     return sqrt(stiffness * pc_times_J(p, s) * (T(1) / p.density));
@@ -142,7 +142,7 @@ struct ModifiedCamClay {
   template <class V, class T>
   SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
     const Swelling<V> line(p, s);
-    const V ratio = exp(line.log_ratio), size = norm(s.normalized_deviator);
+    const V ratio = line.ratio(), size = norm(s.normalized_deviator);
     const V shear = (T(0.75) / p.three_shear_factor) * (size * size / ratio);
     return pc_times_J(p, s) * (p.kappa / line.volume) * (ratio + shear);
   }
@@ -188,15 +188,20 @@ struct ModifiedCamClay {
   struct Swelling {
     V volume, log_ratio;  ///< v, ln(p/pc)
 
+    /// p/pc, at most 1: no elastic state has more pressure than pc.
+    SCREE_FN V ratio() const { return exp(min(log_ratio, broadcast<V>(0))); }
+
     /// From the differences to the initial state: in single precision v itself would carry the
-    /// rounding of its last digit, times 1/kappa. The ratio is bounded where soil has long fallen
-    /// apart, or has no voids left, so that all numbers stay in range.
+    /// rounding of its last digit, times 1/kappa. The ratio has a lower bound, that of soil which
+    /// has fallen apart (see cam_clay_return), and an upper one that only soil without voids would
+    /// reach: pc would grow by e^40 in a step.
     template <class T>
     SCREE_FN Swelling(const Params<T>& p, const State<V>& s) {
       const V change = p.specific_volume * expm1(s.log_specific_volume);
       volume = p.specific_volume + change;
       const V r = p.log_ratio - (change + p.lambda * s.log_preconsolidation) * (T(1) / p.kappa);
-      log_ratio = min(max(r, broadcast<V>(T(-30))), broadcast<V>(T(30)));
+      log_ratio =
+          min(max(r, broadcast<V>(T(cam_clay_apart))), broadcast<V>(40 * p.lambda / p.kappa));
     }
   };
 

@@ -26,12 +26,14 @@ namespace scree {
 /// Two things follow from the paper's choices: keeping tr b changes J by the square of the shear
 /// strain, and softening acts one step later (p0 of the return is that of the step's start). A
 /// state may so lie outside its yield surface, by a distance of the size of the step. A step
-/// without deformation (L = 0) does no return, so that it changes nothing.
+/// without strain (no motion, or a rotation) does no return, so that it changes nothing.
 struct Nacc {
   static constexpr const char* name = "nacc";
   /// The surface moves after the return, once a step, as published.
   static constexpr bool explicit_hardening = true;
   static constexpr bool effective_stress = true;
+  /// yield_value may exceed 0 by the size of a step: see above.
+  static constexpr bool explicit_hardening = true;
 
   struct Input {
     double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< Pa
@@ -109,7 +111,7 @@ struct Nacc {
     const V from_centre = trial.p - surface.centre;
     const V room = surface.half * surface.half - from_centre * from_centre;
     const V q_yield = p.slope * sqrt(max(room, broadcast<V>(T(0))));
-    const auto moves = size(L) > T(0);
+    const auto moves = deforms(L);
     const auto to_tip = (trial.p > surface.right) | (trial.p < -surface.left);
     const auto to_side = moves & !to_tip & (trial.q > q_yield);
     const auto tip = moves & to_tip;
@@ -225,12 +227,15 @@ struct Nacc {
     }
   };
 
-  /// |L| in the norm of sums, zero only for L = 0.
+  /// False if I + L is a rotation to within the rounding of L, or the identity.
   template <class V>
-  SCREE_FN static V size(const Mat3<V>& L) {
-    V sum = broadcast<V>(0);
-    SCREE_UNROLL for (int k = 0; k < 9; ++k) sum = sum + abs(L(k / 3, k % 3));
-    return sum;
+  SCREE_FN static MaskOf<V> deforms(const Mat3<V>& L) {
+    using T = Scalar<V>;
+    V size = broadcast<V>(0);
+    SCREE_UNROLL for (int k = 0; k < 9; ++k) size = size + abs(L(k / 3, k % 3));
+    const Sym3<V> e = sym(L) + symmetric_product(L) * broadcast<V>(T(0.5));
+    const V strain = abs(e.xx) + abs(e.xy) + abs(e.xz) + abs(e.yy) + abs(e.yz) + abs(e.zz);
+    return strain > (sizeof(T) == 4 ? T(1e-6) : T(2e-15)) * size;
   }
 
   /// ln(J_trial/J_x): J_x is that of the tip, or of the point where the ray from the trial stress
