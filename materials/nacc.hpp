@@ -29,8 +29,6 @@ namespace scree {
 /// without strain (no motion, or a rotation) does no return, so that it changes nothing.
 struct Nacc {
   static constexpr const char* name = "nacc";
-  /// The surface moves after the return, once a step, as published.
-  static constexpr bool explicit_hardening = true;
   static constexpr bool effective_stress = true;
   /// yield_value may exceed 0 by the size of a step: see above.
   static constexpr bool explicit_hardening = true;
