@@ -6,9 +6,7 @@
 #include <map>
 #include <numbers>
 
-#include "materials/drucker_prager.hpp"
-#include "materials/fixed_corotated.hpp"
-#include "materials/j_fluid.hpp"
+#include "materials/typical_input.hpp"
 #include "solver/base/error.hpp"
 
 namespace scree {
@@ -55,15 +53,28 @@ void fill(BodySetup& body, const std::array<std::int32_t, 3>& first,
   }
 }
 
+/// A body of a law with these parameters, at rest; `cells` of particles from cell `first` on.
+BodySetup make_body(const std::string& model, double density, const NumberKeys& values,
+                    const std::array<std::int32_t, 3>& first,
+                    const std::array<std::int32_t, 3>& cells) {
+  const MaterialEntry* entry = find_material_model(model);
+  if (entry == nullptr) throw UserError("this build has no material " + model);
+  BodySetup body;
+  body.model = model;
+  body.density = density;
+  body.input = typical_input(*entry, 3, values);
+  fill(body, first, cells);
+  return body;
+}
+
+std::array<double, 3> weight(double) { return {0, -9.81, 0}; }
+
 SimulationSetup elastic_case(std::int64_t particles) {
   SimulationSetup setup;
-  BodySetup body;
-  body.model = FixedCorotated::name;
-  body.density = 1000;
-  body.input = FixedCorotated::Input{1e6, 0.3};
   const auto cells = body_cells(particles, {1, 1, 1});
   for (std::size_t a = 0; a < 3; ++a) setup.cells[a] = cells[a] + 2 * margin;
-  fill(body, {margin, margin, margin}, cells);
+  BodySetup body = make_body("fixed_corotated", 1000, {{"youngs_modulus", 1e6}},
+                             {margin, margin, margin}, cells);
   const double k = 2 * std::numbers::pi / (cells[0] * cell_size);
   for (std::size_t p = 0; p < body.position.size(); p += 3) {
     for (std::size_t a = 0; a < 3; ++a) {
@@ -76,40 +87,26 @@ SimulationSetup elastic_case(std::int64_t particles) {
 
 SimulationSetup sand_case(std::int64_t particles) {
   SimulationSetup setup;
-  BodySetup body;
-  body.model = DruckerPrager::name;
-  body.density = 1600;
-  DruckerPrager::Input input;
-  input.youngs_modulus = 2e6;
-  input.poissons_ratio = 0.3;
-  input.friction_angle = 31 * std::numbers::pi / 180;
-  body.input = input;
   const auto cells = body_cells(particles, {1, 1.6, 1});
   setup.cells = {cells[0] + 2 * cells[0] / 2, cells[1] + margin, cells[2] + 2 * cells[2] / 2};
-  fill(body, {cells[0] / 2, 0, cells[2] / 2}, cells);
-  setup.bodies.push_back(std::move(body));
+  const double friction = 31 * std::numbers::pi / 180;
+  setup.bodies.push_back(make_body("drucker_prager", 1600,
+                                   {{"youngs_modulus", 2e6}, {"friction_angle", friction}},
+                                   {cells[0] / 2, 0, cells[2] / 2}, cells));
   setup.faces[1][0] = FaceType::sticky;
-  setup.gravity = [](double) { return std::array<double, 3>{0, -9.81, 0}; };
+  setup.gravity = weight;
   return setup;
 }
 
 SimulationSetup fluid_case(std::int64_t particles) {
   SimulationSetup setup;
-  BodySetup body;
-  body.model = JFluid::name;
-  body.density = 1000;
-  JFluid::Input input;
-  input.bulk_modulus = 1e5;
-  input.gamma = 7;
-  body.input = input;
   const auto cells = body_cells(particles, {1, 1, 1});
   setup.cells = {2 * cells[0], cells[1] + margin, cells[2]};
-  fill(body, {0, 0, 0}, cells);
-  setup.bodies.push_back(std::move(body));
+  setup.bodies.push_back(make_body("j_fluid", 1000, {{"bulk_modulus", 1e5}}, {0, 0, 0}, cells));
   setup.faces = {{{FaceType::slip, FaceType::slip},
                   {FaceType::slip, FaceType::slip},
                   {FaceType::slip, FaceType::slip}}};
-  setup.gravity = [](double) { return std::array<double, 3>{0, -9.81, 0}; };
+  setup.gravity = weight;
   return setup;
 }
 

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/bench_case.hpp"
+#include "app/bench_materials.hpp"
 #include "solver/base/error.hpp"
 
 namespace scree {
@@ -106,6 +107,10 @@ void print_text(const BenchOptions& options, const BenchResult& r) {
 int bench_command(const BenchOptions& options) {
   if (options.backend != "cpu") {
     throw UserError("--backend " + options.backend + ": this build runs on the cpu only");
+  }
+  if (options.material_only) {
+    print_material_costs(options.json);
+    return 0;
   }
   const BenchResult result = measure(options);
   if (options.json) {

@@ -16,6 +16,7 @@ struct BenchOptions {
   std::string path = "fused";          ///< fused, split
   int threads = 0;                     ///< 0: all cores
   std::string backend = "cpu";         ///< cpu, cuda
+  bool material_only = false;          ///< what the laws cost by themselves
   bool json = false;
 };
 

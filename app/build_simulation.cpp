@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "solver/deck/expression.hpp"
+#include "solver/deck/initial_stress.hpp"
 #include "solver/particles/sampling.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -105,9 +106,15 @@ void add_body(const Deck& deck, std::int32_t index, SimulationSetup& setup) {
   body.model = material.model;
   body.input = material.input;
   body.density = material.density;
+  body.undrained_bulk_modulus = material.undrained_bulk_modulus.value_or(0);
   body.material_index = std::int32_t(&material - deck.materials.data());
   body.particle_volume = sampled.particle_volume;
   body.position = std::move(sampled.position);
+  if (spec.initial_stress) {
+    InitialStates initial = solve_initial_states(deck, spec, body.position);
+    body.states = std::move(initial.states);
+    body.state_of = std::move(initial.state_of);
+  }
   set_velocity(spec, deck.domain.dimension, deck.domain.cell_size, body);
   setup.bodies.push_back(std::move(body));
 }

@@ -12,6 +12,7 @@
 #include "app/bench_command.hpp"
 #include "app/check_command.hpp"
 #include "app/describe_command.hpp"
+#include "app/element_command.hpp"
 #include "app/info_command.hpp"
 #include "app/run_command.hpp"
 #include "generated/build_info.hpp"
@@ -32,6 +33,7 @@ struct CommandLine {
   CheckOptions check;
   DescribeOptions describe;
   BenchOptions bench;
+  ElementOptions element;
   std::string until;
 };
 
@@ -125,8 +127,26 @@ void add_bench(CommandLine& line) {
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   choice("--backend", options.backend, {"cpu", "cuda"}, "Where to compute");
+  bench.add_flag("--material-only", options.material_only,
+                 "Print ns a particle of each material law by itself, on one core");
   bench.add_flag("--json", options.json, "Print one JSON object and nothing else");
   bench.callback([&line] { line.action = [&line] { return bench_command(line.bench); }; });
+}
+
+void add_element(CommandLine& line) {
+  CLI::App& element =
+      *line.app.add_subcommand("element", "Drive a material point along a laboratory test");
+  ElementOptions& options = line.element;
+  element.add_option("deck", options.deck, "Element deck (TOML)")->required()->type_name("DECK");
+  element.add_option("-o,--output", options.output, "Table (default: <deck name>.csv here)")
+      ->type_name("FILE.csv");
+  element.add_option("--plot", options.plot, "Also draw the diagrams of the test")
+      ->type_name("FILE.png");
+  add_overrides(element, options.overrides);
+  element.add_flag("--overwrite", options.overwrite,
+                   "Replace files that scree element did not write, too");
+  element.add_flag("--quiet", options.quiet, "Print errors only");
+  element.callback([&line] { line.action = [&line] { return element_command(line.element); }; });
 }
 
 void build(CommandLine& line) {
@@ -136,6 +156,7 @@ void build(CommandLine& line) {
   add_run(line);
   add_check(line);
   add_describe(line);
+  add_element(line);
   line.app.add_subcommand("info", "Print version, build, backends and libraries")
       ->callback([&line] { line.action = [] { return info_command(); }; });
   add_bench(line);
@@ -163,7 +184,7 @@ int check_command_word(const CLI::App& app, const std::string& word) {
   for (const std::string& name : names) {
     if (word == name) return 0;
   }
-  for (const char* later : {"element", "verify", "post"}) {
+  for (const char* later : {"verify", "post"}) {
     if (word == later) {
       return complain("the command \"" + word +
                       "\" is not available in this version; commands: " + join(names));

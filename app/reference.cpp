@@ -5,6 +5,7 @@
 
 #include "materials/registry.hpp"
 #include "solver/deck/deck.hpp"
+#include "solver/element/element_deck.hpp"
 
 namespace scree {
 namespace {
@@ -20,12 +21,17 @@ std::string count_of(const Entry& entry) {
 
 }  // namespace
 
-Reference::Reference() { collect(deck_schema(), "", false); }
+Reference::Reference() {
+  collect(deck_schema(), "", false);
+  collect(element_schema(), "", false);
+}
 
 void Reference::collect(const SchemaBase& schema, const std::string& place, bool model) {
   for (ReferenceSection& section : sections_) {
     if (section.schema != &schema) continue;
-    section.places.push_back(place);
+    if (std::find(section.places.begin(), section.places.end(), place) == section.places.end()) {
+      section.places.push_back(place);
+    }
     return;  // nests were collected at the first place
   }
   sections_.push_back({&schema, {place}, model});
@@ -108,6 +114,8 @@ std::string value_form(const Entry& entry) {
       break;
     case EntryKind::points:
       return "array of [x, y] [m]";
+    case EntryKind::matrix:
+      return "3 rows of 3 numbers";
     case EntryKind::table:
       return "table: see " + entry.nested().name();
     case EntryKind::list:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/reference.hpp"
@@ -73,6 +74,14 @@ Json value_json(const Entry& entry) {
       return {{"type", "array"},
               {"minItems", 3},
               {"items", array_json(pair, quantity_json(pair, false))}};
+    }
+    case EntryKind::matrix: {
+      Entry row = entry;
+      row.length = 3;
+      return {{"type", "array"},
+              {"minItems", 3},
+              {"maxItems", 3},
+              {"items", array_json(row, quantity_json(row, false))}};
     }
     case EntryKind::table:
       return reference_to(entry.nested());
@@ -151,7 +160,9 @@ Json model_json(const SchemaBase& model) {
   Json json = table_json(model);
   const Json common = table_json(material_schema());
   for (const auto& [key, property] : common["properties"].items()) {
-    json["properties"][key] = property;
+    const std::vector<std::string>& models = material_schema().find(key)->tag_values;
+    const bool known = std::find(models.begin(), models.end(), model.name()) != models.end();
+    if (models.empty() || known) json["properties"][key] = property;
   }
   json["properties"]["model"] = {{"const", model.name()}};
   for (const auto& key : common["required"]) json["required"].push_back(key);

@@ -2,7 +2,8 @@
 # materials/list.def is the one registration: each line `SCREE_MATERIAL(header, Type)` gives
 #   generated/materials.hpp   the includes of all chosen materials,
 #   generated/materials.def   the chosen lines, an X-macro list,
-#   one translation unit for each material, dimension and precision (so they build in parallel).
+#   one translation unit for each material, dimension and precision (so they build in parallel),
+#   one translation unit for each material with its type-erased point (materials/material_point.hpp).
 
 set(SCREE_MATERIAL_LIST "${CMAKE_SOURCE_DIR}/materials/list.def")
 set(SCREE_MATERIAL_HEADERS "")
@@ -68,3 +69,13 @@ endfunction()
 if(EXISTS "${CMAKE_SOURCE_DIR}/solver/step/instance.hpp")
   scree_material_units(SCREE_MATERIAL_INSTANCES material_instance.cpp.in cpp)
 endif()
+
+set(SCREE_MATERIAL_POINTS "")
+foreach(header Type IN ZIP_LISTS SCREE_MATERIAL_HEADERS SCREE_MATERIAL_TYPES)
+  set(unit "${CMAKE_BINARY_DIR}/generated/points/${header}.cpp")
+  configure_file("${CMAKE_SOURCE_DIR}/cmake/material_point.cpp.in" "${unit}" @ONLY)
+  list(APPEND SCREE_MATERIAL_POINTS "${unit}")
+  set(unit "${CMAKE_BINARY_DIR}/generated/costs/${header}.cpp")
+  configure_file("${CMAKE_SOURCE_DIR}/cmake/material_cost.cpp.in" "${unit}" @ONLY)
+  list(APPEND SCREE_MATERIAL_POINTS "${unit}")
+endforeach()

@@ -27,23 +27,32 @@ struct ConeSlopes {
   double a = 0;      ///< dilation, 0 at constant volume
 };
 
-/// sqrt(2/27) M for the cone that touches Mohr-Coulomb at a corner: M = 6 sin/(3 -+ sin).
-inline double corner_slope(double sine, bool compression) {
-  return std::sqrt(2.0 / 27.0) * 6 * sine / (compression ? 3 - sine : 3 + sine);
+/// alpha = scale sin(phi)/(base + change sin(phi)) at a given dilation slope a.
+struct FrictionSlope {
+  double scale, base, change;
+  double operator()(double sine) const { return scale * sine / (base + change * sine); }
+};
+
+/// Cones that touch Mohr-Coulomb at a corner have M = 6 sin/(3 -+ sin). In plane strain the flow
+/// has no component out of the plane, n_zz = -a, hence sin phi = 3 alpha sqrt(2 - 3 a^2)/(2 - 3
+/// alpha a): M = sqrt(3) sin phi at constant volume, M = 3 sin phi/sqrt(3 + sin^2 phi) for
+/// associated flow.
+inline FrictionSlope friction_slope(Match match, double a) {
+  if (match == Match::plane_strain) return {2, 3 * std::sqrt(2 - 3 * a * a), 3 * a};
+  return {std::sqrt(2.0 / 27.0) * 6, 3, match == Match::compression ? -1.0 : 1.0};
+}
+
+/// Slope of the flow for a dilation angle [rad]; in plane strain sin psi = 3 a/sqrt(2 - 3 a^2).
+inline double dilation_slope(Match match, double dilation) {
+  const double sine = std::sin(dilation);
+  if (match == Match::plane_strain) return sine * std::sqrt(2 / (9 + 3 * sine * sine));
+  return friction_slope(match, 0)(sine);
 }
 
 /// Slopes for a friction and a dilation angle [rad], 0 <= dilation <= friction < pi/2.
-/// In plane strain the flow has no component out of the plane, n_zz = -a, hence
-/// sin psi = 3 a/sqrt(2 - 3 a^2) and sin phi = 3 alpha sqrt(2 - 3 a^2)/(2 - 3 alpha a): M = sqrt(3)
-/// sin phi at constant volume, M = 3 sin phi/sqrt(3 + sin^2 phi) for associated flow.
 inline ConeSlopes cone_slopes(Match match, double friction, double dilation) {
-  const double phi = std::sin(friction), psi = std::sin(dilation);
-  if (match != Match::plane_strain) {
-    const bool outer = match == Match::compression;
-    return {corner_slope(phi, outer), corner_slope(psi, outer)};
-  }
-  const double a = psi * std::sqrt(2 / (9 + 3 * psi * psi));
-  return {2 * phi / (3 * std::sqrt(2 - 3 * a * a) + 3 * phi * a), a};
+  const double a = dilation_slope(match, dilation);
+  return {friction_slope(match, a)(std::sin(friction)), a};
 }
 
 }  // namespace scree

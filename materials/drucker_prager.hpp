@@ -6,14 +6,15 @@
 /// of porous sand and water mixtures, ACM TOG 36(4), 2017.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 #include "materials/cone_match.hpp"
-#include "materials/material.hpp"
-#include "solver/base/eigen.hpp"
-#include "solver/base/math.hpp"
-#include "solver/base/polar.hpp"
+#include "materials/consistent_history.hpp"
+#include "materials/friction_hardening.hpp"
+#include "materials/hencky_elasticity.hpp"
 
 namespace scree {
 
@@ -21,9 +22,12 @@ namespace scree {
 /// match, tensile tip at p = -c cot phi. Differences to the paper: always the three-dimensional
 /// return (also in plane strain), cohesion in Pa, dilation, choice of the cone; the volume
 /// correction is reset when the grains are in contact again, so a cycle of expansion and equal
-/// compression ends free of stress.
+/// compression ends free of stress. With the keys h0 to h3 the friction angle depends on the
+/// plastic shear strain q of the same step (the paper: of the steps before), and opening does not
+/// count in q; the tip stays where the first friction angle puts it.
 struct DruckerPrager {
   static constexpr const char* name = "drucker_prager";
+  static constexpr bool effective_stress = true;
 
   struct Input {
     double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< Pa
@@ -32,6 +36,13 @@ struct DruckerPrager {
     double cohesion = 0;                                               ///< Pa
     double dilation_angle = 0;                                         ///< rad
     Match match = Match::by_dimension;
+    /// Friction hardening, all or none: h0, h1, h3 in rad.
+    double h0 = std::numeric_limits<double>::quiet_NaN();
+    double h1 = std::numeric_limits<double>::quiet_NaN();
+    double h2 = std::numeric_limits<double>::quiet_NaN();
+    double h3 = std::numeric_limits<double>::quiet_NaN();
+
+    FrictionHardening hardening() const { return {h0, h1, h2, h3}; }
   };
 
   static Schema<Input> schema();
@@ -44,23 +55,45 @@ struct DruckerPrager {
     T consistency;      ///< 1/(1 + 9 K alpha a/(2 mu))
     T cohesion_strain;  ///< c_s = c cot phi/(3 lambda + 2 mu)
     T flow_stiffness;  ///< 9 K^2 (alpha - a)^2/(8 mu (1 + 9 K alpha a/(2 mu))) [Pa], see wave_speed
+    bool hardens;
+    T h0, h1, h2, h3;       ///< of hardening; zero without
+    T scale, base, change;  ///< cone = scale sin(phi)/(base + change sin(phi))
+    T softening;            ///< largest loss of the cone slope per plastic strain, times 3
   };
 
   template <class T>
   static Params<T> params(const Input& in, double density, int dimension) {
     const auto [lambda, mu] = lame_constants(in.youngs_modulus, in.poissons_ratio);
     const Match match = resolve_match(in.match, dimension);
-    const auto [alpha, a] = cone_slopes(match, in.friction_angle, in.dilation_angle);
-    const double three_bulk = 3 * lambda + 2 * mu;
-    const double consistency = 1 / (1 + 3 * three_bulk * alpha * a / (2 * mu));
+    const FrictionHardening h = in.hardening();
+    const bool hardens = h.given();
+    const double first = hardens ? h.angle(0) : in.friction_angle;
+    const double highest = hardens ? h.highest_angle() : in.friction_angle;
+    const double a = dilation_slope(match, in.dilation_angle);
+    const FrictionSlope slope = friction_slope(match, a);
+    const double three_bulk = 3 * lambda + 2 * mu, ratio = three_bulk / (2 * mu);
+    const double alpha = slope(std::sin(first)), most = slope(std::sin(highest));
+    const double flow =
+        three_bulk * three_bulk * (most - a) * (most - a) / (8 * mu) / (1 + 3 * ratio * most * a);
+    const double steepest = slope.scale / slope.base *
+                            std::max(1.0, std::pow(slope.base / (slope.base + slope.change), 2));
     return {T(lambda),
             T(mu),
             T(density),
-            T(three_bulk / (2 * mu) * alpha),
+            T(ratio * alpha),
             T(a),
-            T(consistency),
-            T(in.cohesion / std::tan(in.friction_angle) / three_bulk),
-            T(three_bulk * three_bulk * (alpha - a) * (alpha - a) / (8 * mu) * consistency)};
+            T(1 / (1 + 3 * ratio * alpha * a)),
+            T(in.cohesion / std::tan(first) / three_bulk),
+            T(flow),
+            hardens,
+            T(hardens ? h.h0 : 0),
+            T(hardens ? h.h1 : 0),
+            T(hardens ? h.h2 : 0),
+            T(hardens ? h.h3 : 0),
+            T(ratio * slope.scale),
+            T(slope.base),
+            T(slope.change),
+            T(hardens ? 3 * ratio * steepest * h.steepest_loss() : 0)};
   }
 
   template <class V>
@@ -86,75 +119,71 @@ struct DruckerPrager {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T /*dt*/) {
-    // 1. Trial state: principal logarithmic strains of b = F F^T (V of the SVD is not needed).
-    s.F = detail::advance_gradient(L, s.F);
-    s.log_volume_ratio = s.log_volume_ratio + log_determinant(L);
-    const SymEigen<V> b = eigen_symmetric(symmetric_product(s.F));
-    const Vec3<V> trial = log_stretches(b);
-    // 2. Distance to the cone in the strain e that is measured from the cone's tip.
-    const V shift = s.volume_correction * T(1.0 / 3.0) - p.cohesion_strain;
-    const V mean = (trial[0] + trial[1] + trial[2]) * T(1.0 / 3.0) + shift;
-    const Vec3<V> deviator = {
-        {trial[0] + shift - mean, trial[1] + shift - mean, trial[2] + shift - mean}};
-    // The small number only keeps 0/0 away; strains are far above its root or zero.
-    const V square = dot(deviator, deviator) + (sizeof(T) == 4 ? T(1e-30) : T(1e-200));
-    const V inverse_length = rsqrt(square);
-    const V length = square * inverse_length;
-    const V excess = (length + p.cone * (T(3) * mean)) * p.consistency;
-    const auto tip = mean >= T(0);
-    // 3. Return to the tip, to the cone (flow n + a I), or nothing: `flow` and `dilation` are zero
-    // then.
-    const V flow = select(tip, T(0), max(excess, broadcast<V>(0)));
-    const V turned = flow * inverse_length;
-    const V closing = s.volume_correction * T(1.0 / 3.0) - p.dilation * flow;
+    // 1. Trial state, and its distance to the cone in the strain measured from the cone's tip.
+    const auto trial = detail::hencky_trial(s.F, s.log_volume_ratio, L);
+    const detail::StrainDeviator<V> shear(trial.strain);
+    const V gap = s.volume_correction * T(1.0 / 3.0);
+    const V mean = shear.mean + (gap - p.cohesion_strain);
+    // 2. Plastic shear strain: to the tip where the cone's return would pass it, |ehat| < dg, which
+    // is mean > a |ehat| whatever the cone; else to the cone (flow n + a I), or nothing.
+    const auto tip = mean >= p.dilation * shear.length;
+    const Flow<V, T> flow_at{p, mean, shear.length, tip};
+    V flow;
+    if (p.hardens) {
+      const V start = s.equivalent_plastic_strain * T(1.2247448713915890);
+      const V end = detail::consistent_history(start, flow_at);
+      flow = flow_at(end);
+      s.equivalent_plastic_strain = end * T(0.81649658092772603);
+    } else {
+      flow = flow_at.on(p.cone, p.consistency);
+      s.equivalent_plastic_strain = s.equivalent_plastic_strain + T(0.81649658092772603) * flow;
+    }
+    // 3. Elastic strain. At the tip, what dilation does not explain opens a gap.
+    const V opening = mean - p.dilation * shear.length;
+    const V closing = gap - p.dilation * flow;
+    const V turned = flow * shear.inverse_length;
     Vec3<V> change, strain;
     SCREE_UNROLL for (int i = 0; i < 3; ++i) {
-      change[i] = select(tip, p.cohesion_strain - trial[i], closing - turned * deviator[i]);
-      strain[i] = trial[i] + change[i];
+      change[i] =
+          select(tip, p.cohesion_strain - trial.strain[i], closing - turned * shear.deviator[i]);
+      strain[i] = trial.strain[i] + change[i];
     }
-    s.equivalent_plastic_strain =
-        s.equivalent_plastic_strain + T(0.81649658092772603) * select(tip, length, flow);
-    s.volume_correction = select(tip, T(3) * mean, T(0));
-    // 4. F <- U diag(S'/S) U^T F, written as an increment: an elastic step leaves F alone to the
-    // bit.
-    const Vec3<V> factor = {{expm1(change[0]), expm1(change[1]), expm1(change[2])}};
-    s.F = s.F + from_principal(b.vectors, factor) * s.F;
-    const V pressure = p.lambda * (strain[0] + strain[1] + strain[2]);
-    const T two_mu = 2 * p.mu;
-    return from_principal(b.vectors,
-                          Vec3<V>{{two_mu * strain[0] + pressure, two_mu * strain[1] + pressure,
-                                   two_mu * strain[2] + pressure}});
+    s.volume_correction = select(tip, T(3) * opening, T(0));
+    detail::change_strain(s.F, trial.axes, change);
+    return detail::hencky_stress(p.lambda, p.mu, trial.axes, strain);
   }
 
-  /// As for FixedCorotated, with tau_i = 2 mu e_i + lambda tr e, e = ln S: a_ii = 2 mu + lambda -
-  /// tau_i, a_ijij = mu y/(exp(y) - 1) with y = 2 (e_i - e_j), and with x = e_i - e_j a_iijj +
-  /// a_ijji = lambda (1 - tr e) + mu (x coth x - e_i - e_j). For |e_i| <= e and |e_i - e_j| <= r,
-  /// since x coth x <= 1 + x^2/3, the largest eigenvalue is below |lambda| (1 + 3 e) + mu (2 + 2 e
-  /// + r + 2 r^2/3). The strains are bounded by 2 ln S <= S^2 - 1 and 2 ln S >= 1 - S^-2.
-  ///
+  /// (|dev tau| - 3 alpha (p + c cot phi))/(2 mu).
+  template <class V, class T>
+  SCREE_FN static V yield_value(const Params<T>& p, const State<V>& s) {
+    const detail::StrainDeviator<V> shear(detail::principal_strain(s.F).strain);
+    V cone = broadcast<V>(p.cone);
+    if (p.hardens) cone = cone_at(p, s.equivalent_plastic_strain * T(1.2247448713915890));
+    return shear.length + T(3) * cone * (shear.mean - p.cohesion_strain);
+  }
+
   /// Flow that is not associated can be stiffer than elasticity: on the cone, the work of a small
   /// strain w with x = n : w, t = tr w changes by -(x + cone t)(2 mu x + 3 K a t) consistency, at
   /// most flow_stiffness t^2, and |t| <= 1 for a wave. (Unloading of an oedometer at failure, K (1
-  /// + 2 M/3) against K + 4 mu/3 in elasticity, is such a case.)
+  /// + 2 M/3) against K + 4 mu/3 in elasticity, is such a case.) flow_stiffness grows with alpha:
+  /// under hardening it is that of the highest friction angle; loss of friction divides it by 1 -
+  /// 3 dcone/dq |mean|.
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    const V floor = broadcast<V>(detail::PolarLimits<T>::det_min);
-    const auto bounds = detail::eigenvalue_bounds(symmetric_product(s.F));
-    const V upper = max(bounds.upper, floor);
-    const V ratio = det(s.F) / upper;
-    const V lower = max(max(bounds.lower, ratio * ratio), floor);
-    const V stretch = T(0.5) * (upper - T(1)), squeeze = T(0.5) / lower - T(0.5);
-    const V e = max(stretch, squeeze), r = stretch + squeeze;
-    const V shear = T(2) + T(2) * e + r + T(2.0 / 3.0) * r * r;
-    const V stiffness = abs(p.lambda) * (T(1) + T(3) * e) + p.mu * shear + p.flow_stiffness;
+    const auto bounds = detail::strain_bounds(s.F);
+    V flow = broadcast<V>(p.flow_stiffness);
+    if (p.hardens) {
+      const V loss = min(p.softening * (bounds.size + p.cohesion_strain),
+                         broadcast<V>(T(detail::largest_softening)));
+      flow = flow / (T(1) - loss);
+    }
+    const V stiffness = detail::hencky_stiffness(p.lambda, p.mu, bounds) + flow;
     return sqrt(stiffness * (T(1) / p.density));
   }
 
   template <class V, class T>
   SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    const Vec3<V> strain = log_stretches(eigen_symmetric(symmetric_product(s.F)));
-    const V sum = strain[0] + strain[1] + strain[2];
-    return p.mu * dot(strain, strain) + (T(0.5) * p.lambda) * sum * sum;
+    return detail::hencky_energy(p.lambda, p.mu, s.F);
   }
 
   template <class V, class T>
@@ -168,25 +197,30 @@ struct DruckerPrager {
   }
 
  private:
-  /// ln det(I + L), to full relative accuracy for small L.
-  template <class V>
-  SCREE_FN static V log_determinant(const Mat3<V>& L) {
-    using T = Scalar<V>;
-    const V minors = L(0, 0) * L(1, 1) - L(0, 1) * L(1, 0) + L(1, 1) * L(2, 2) - L(1, 2) * L(2, 1) +
-                     L(2, 2) * L(0, 0) - L(2, 0) * L(0, 2);
-    const V growth = trace(L) + minors + det(L);
-    return log1p(max(growth, broadcast<V>(T(-0.999))));  // a limit that no admissible step reaches
+  /// Slope of the cone after the plastic shear strain q.
+  template <class V, class T>
+  SCREE_FN static V cone_at(const Params<T>& p, V q) {
+    const V sine = sin(p.h0 + (p.h1 * q - p.h3) * exp(-p.h2 * q));
+    return p.scale * sine * rcp(p.base + p.change * sine);
   }
 
-  /// ln S_i = ln(b_i)/2; b_i is kept positive where rounding or an inadmissible F made it vanish.
-  template <class V>
-  SCREE_FN static Vec3<V> log_stretches(const SymEigen<V>& b) {
-    using T = Scalar<V>;
-    const V tiny = broadcast<V>(sizeof(T) == 4 ? T(1e-12) : T(1e-28));
-    Vec3<V> r;
-    SCREE_UNROLL for (int i = 0; i < 3; ++i) r[i] = T(0.5) * log(max(b.values[i], tiny));
-    return r;
-  }
+  /// Length of the plastic strain's deviator, as a function of cone or history.
+  template <class V, class T>
+  struct Flow {
+    const Params<T>& p;
+    V mean, length;
+    MaskOf<V> tip;
+
+    template <class S>
+    SCREE_FN V on(S cone, S consistency) const {
+      const V excess = (length + cone * (T(3) * mean)) * consistency;
+      return select(tip, length, max(excess, broadcast<V>(0)));
+    }
+    SCREE_FN V operator()(V q) const {
+      const V cone = cone_at(p, q);
+      return on(cone, rcp(T(1) + T(3) * p.dilation * cone));
+    }
+  };
 };
 
 }  // namespace scree

@@ -4,22 +4,81 @@
 #pragma once
 
 #include "materials/drucker_prager.hpp"
+#include "materials/elastic_keys.hpp"
 
 namespace scree {
+
+namespace detail {
+
+/// Friction angle of friction_angle or of h0 to h3, and what is wrong with them.
+inline std::optional<Finding> friction_finding(const DruckerPrager::Input& in) {
+  const FrictionHardening h = in.hardening();
+  if (h.none_given()) {
+    if (std::isnan(in.friction_angle))
+      return Finding{"friction_angle", "required key is missing",
+                     "an angle [rad], or friction hardening by h0, h1, h2 and h3",
+                     "add friction_angle = ..."};
+    if (in.friction_angle > 0) return std::nullopt;
+    return Finding{"friction_angle", "a cone without friction has no tip", "above 0",
+                   "use model = \"von_mises\", whose yield_stress is sqrt(3) times the cohesion in "
+                   "plane strain, twice the cohesion in triaxial states"};
+  }
+  if (!h.all_given())
+    return Finding{std::isnan(h.h0)   ? "h0"
+                   : std::isnan(h.h1) ? "h1"
+                   : std::isnan(h.h2) ? "h2"
+                                      : "h3",
+                   "friction hardening is incomplete", "all of h0, h1, h2, h3, or none",
+                   "add the missing ones, or remove all four and give friction_angle"};
+  if (!std::isnan(in.friction_angle))
+    return Finding{"friction_angle",
+                   "has no meaning beside h0 to h3, which give the friction angle",
+                   "friction_angle, or h0, h1, h2 and h3", "remove one of the two"};
+  if (h.angle(0) <= 0)
+    return Finding{"h3", "makes the first friction angle h0 - h3 vanish", "below h0",
+                   "lower h3 or raise h0"};
+  if (h.highest_angle() >= 1.57079632679489662)
+    return Finding{"h1", "lets the friction angle grow to 90 degrees",
+                   "h0 + h1/h2 exp(-1 - h2 h3/h1) below 90 deg", "lower h1 or raise h2"};
+  return std::nullopt;
+}
+
+inline void hardening_keys(Schema<DruckerPrager::Input>& s) {
+  using Input = DruckerPrager::Input;
+  constexpr double right_angle = 1.57079632679489662;
+  s.number("h0", &Input::h0, Unit::angle)
+      .above(0)
+      .below(right_angle)
+      .optional()
+      .doc(
+          "Friction hardening phi = h0 + (h1 q - h3) exp(-h2 q) over the plastic shear strain q, "
+          "instead of friction_angle: the angle at large strain. All of h0 to h3, or none.");
+  s.number("h1", &Input::h1, Unit::angle)
+      .at_least(0)
+      .optional()
+      .doc("Friction hardening: growth per plastic shear strain.");
+  s.number("h2", &Input::h2)
+      .above(0)
+      .optional()
+      .doc("Friction hardening: decay, per plastic shear strain.");
+  s.number("h3", &Input::h3, Unit::angle)
+      .at_least(0)
+      .below(right_angle)
+      .optional()
+      .doc("Friction hardening: the first friction angle is h0 - h3.");
+}
+
+}  // namespace detail
 
 inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
   constexpr double right_angle = 1.57079632679489662;
   Schema<Input> s(name, "Sand: Hencky elasticity with a Drucker-Prager cone.");
-  s.number("youngs_modulus", &Input::youngs_modulus, Unit::pressure)
-      .above(0)
-      .doc("Young's modulus at small strain.");
-  s.number("poissons_ratio", &Input::poissons_ratio)
-      .above(-1)
-      .below(0.5)
-      .doc("Poisson's ratio at small strain.");
+  elastic_keys(s);
   s.number("friction_angle", &Input::friction_angle, Unit::angle)
+      .typical(0.55)
       .at_least(0)
       .below(right_angle)
+      .fallback_text("required without h0 to h3")
       .doc("Friction angle of the Mohr-Coulomb law that the cone stands for.");
   s.number("cohesion", &Input::cohesion, Unit::pressure)
       .at_least(0)
@@ -38,17 +97,20 @@ inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
           [](const SchemaContext& c) { return resolve_match(Match::by_dimension, c.dimension); },
           "plane_strain in 2D, compression in 3D")
       .doc("State of stress in which cone and Mohr-Coulomb agree.");
-  s.check({"friction_angle"}, [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
-    if (in.friction_angle > 0) return std::nullopt;
-    return Finding{"friction_angle", "a cone without friction has no tip", "above 0",
-                   "use model = \"von_mises\", whose yield_stress is sqrt(3) times the cohesion in "
-                   "plane strain, twice the cohesion in triaxial states"};
-  });
-  s.check({"friction_angle", "dilation_angle"},
+  detail::hardening_keys(s);
+  s.check({"friction_angle", "h0", "h1", "h2", "h3"},
+          [](const Input& in, const SchemaContext&) { return detail::friction_finding(in); });
+  s.check({"friction_angle", "dilation_angle", "h0", "h3"},
           [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
-            if (in.dilation_angle <= in.friction_angle) return std::nullopt;
+            const FrictionHardening h = in.hardening();
+            // 1e-12: h0 - h3 is rounded.
+            const double friction = h.all_given() ? h.angle(0) * (1 + 1e-12) : in.friction_angle;
+            // Without any friction angle the first check speaks.
+            if (std::isnan(friction) || in.dilation_angle <= friction) return std::nullopt;
             return Finding{"dilation_angle", "dilation above friction would create energy",
-                           "0 to friction_angle", "lower dilation_angle or raise friction_angle"};
+                           h.all_given() ? "0 to h0 - h3" : "0 to friction_angle",
+                           h.all_given() ? "lower dilation_angle or h3"
+                                         : "lower dilation_angle or raise friction_angle"};
           });
   s.cite(
       "Klar, Gast, Pradhana, Fu, Schroeder, Jiang, Teran, Drucker-Prager elastoplasticity for sand "

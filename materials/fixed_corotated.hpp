@@ -15,6 +15,7 @@ namespace scree {
 /// In confined uniaxial strain P_11 = (lambda + 2 mu)(s - 1) exactly, at any amplitude.
 struct FixedCorotated {
   static constexpr const char* name = "fixed_corotated";
+  static constexpr bool effective_stress = true;
 
   struct Input {
     double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< Pa
@@ -24,9 +25,11 @@ struct FixedCorotated {
   static Schema<Input> schema() {
     Schema<Input> s(name, "Elastic solid, linear in stretch: fixed-corotated hyperelasticity.");
     s.number("youngs_modulus", &Input::youngs_modulus, Unit::pressure)
+        .typical(1e7)
         .above(0)
         .doc("Young's modulus at small strain.");
     s.number("poissons_ratio", &Input::poissons_ratio)
+        .typical(0.3)
         .above(-1)
         .below(0.5)
         .doc("Poisson's ratio at small strain.");

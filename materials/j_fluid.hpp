@@ -29,9 +29,13 @@ struct JFluid {
     Schema<Input> s(name,
                     "Weakly compressible fluid: pressure B (J^-gamma - 1), Newtonian viscosity.");
     s.number("bulk_modulus", &Input::bulk_modulus, Unit::pressure)
+        .typical(1e6)
         .above(0)
         .doc("Prefactor B of the pressure; the bulk modulus at small strain is B gamma.");
-    s.number("gamma", &Input::gamma).above(0).doc("Exponent of the pressure, e.g. 7 for water.");
+    s.number("gamma", &Input::gamma)
+        .typical(7)
+        .above(0)
+        .doc("Exponent of the pressure, e.g. 7 for water.");
     s.number("viscosity", &Input::viscosity, Unit::viscosity)
         .at_least(0)
         .fallback(0.0)

@@ -52,6 +52,11 @@ struct StateField {
 ///     MaskOf<V> admissible(const Params<T>&, const State<V>&);
 ///         False where the state has left the domain of the law (det F <= 0): the run ends with a
 ///         fault.
+///
+/// Optional: `V yield_value(const Params<T>&, const State<V>&)`, the yield function over a scale of
+/// stress, at most 0 inside; `V void_ratio(...)`; and the constants `effective_stress` (may carry
+/// pore water), `hyperelastic = false` (the elastic stress is no derivative of energy_density) and
+/// `explicit_hardening = true` (the yield surface moves after the return).
 template <class M>
 concept Material = requires(const typename M::Input& input) {
   { M::name } -> std::convertible_to<const char*>;

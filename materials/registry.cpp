@@ -1,11 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "materials/registry.hpp"
 
+#include <cmath>
+
 #include "generated/materials.hpp"
 
 namespace scree {
 
 namespace {
+
+/// K0 where nothing else is known: the law's own `rest_ratio`, or Jaky's 1 - sin phi for friction
+/// (Jaky, The coefficient of earth pressure at rest, J. Soc. Hung. Eng. Arch. 78, 1944), where a
+/// critical state slope M means sin phi = 3 M/(6 + M) of triaxial compression, or the ratio of
+/// confined elasticity, or that of a fluid.
+template <Material M>
+double rest_ratio(const typename M::Input& in) {
+  if constexpr (requires { M::rest_ratio(in); }) {
+    return M::rest_ratio(in);
+  } else if constexpr (requires { in.friction_angle; }) {
+    double angle = in.friction_angle;
+    if constexpr (requires { in.hardening(); }) {
+      if (in.hardening().given()) angle = in.hardening().angle(0);
+    }
+    return 1 - std::sin(angle);
+  } else if constexpr (requires { in.m; }) {
+    return 1 - 3 * in.m / (6 + in.m);
+  } else if constexpr (requires { in.poissons_ratio; }) {
+    return in.poissons_ratio / (1 - in.poissons_ratio);
+  } else {
+    return 1;
+  }
+}
 
 template <Material M>
 MaterialEntry make_entry() {
@@ -18,6 +43,10 @@ MaterialEntry make_entry() {
   entry.input_pointer = [](std::any& input) -> void* {
     return &std::any_cast<typename M::Input&>(input);
   };
+  entry.rest_ratio = [](const std::any& input) {
+    return rest_ratio<M>(std::any_cast<const typename M::Input&>(input));
+  };
+  if constexpr (requires { M::effective_stress; }) entry.effective_stress = M::effective_stress;
   return entry;
 }
 

@@ -65,6 +65,16 @@ std::string write_points(const std::vector<std::array<double, 2>>& points) {
   return result.empty() ? result : "[" + result + "]";
 }
 
+std::string write_matrix(const std::array<double, 9>& matrix) {
+  std::string result;
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (std::isnan(matrix[i])) return {};
+    result += i == 0 ? "[[" : i % 3 == 0 ? "], [" : ", ";
+    result += toml_number(matrix[i]);
+  }
+  return result + "]]";
+}
+
 std::string write_vector(const Entry& entry, const double* values, int dimension) {
   const int length = entry.length == 0 ? dimension : entry.length;
   std::string result = "[";

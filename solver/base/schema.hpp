@@ -56,6 +56,7 @@ enum class EntryKind {
   formula,
   formulas,
   points,
+  matrix,
   table,  ///< one nested table
   list,   ///< an array of nested tables
   named   ///< tables under names chosen by the user: [body.NAME]
@@ -70,6 +71,7 @@ struct Entry {
   std::string fallback_text;           ///< the default as the reference prints it
   std::optional<double> lower, upper;  ///< range of numbers, integers and vector entries
   bool lower_open = false, upper_open = false;
+  std::optional<double> typical;  ///< of a number, SI: what benchmarks and tests use
   int length = 0;                           ///< entries of a vector; 0: domain.dimension
   int dimension = 0;                        ///< only available with this domain.dimension; 0: both
   std::vector<std::string> choices, later;  ///< allowed names; known names of later versions
@@ -123,6 +125,7 @@ class SchemaReader {
   bool formulas(const Entry&, const Value&, const std::string& path, Formula* result);
   bool points(const Entry&, const Value&, const std::string& path,
               std::vector<std::array<double, 2>>& result);
+  bool matrix(const Entry&, const Value&, const std::string& path, std::array<double, 9>& result);
 
   /// The members of a table of named tables; reports once when it holds anything else.
   std::vector<const Value*> named_tables(const Value& value, const std::string& path);
@@ -158,6 +161,8 @@ class Field {
   Field& at_least(double x) { return entry_->lower = x, entry_->lower_open = false, *this; }
   Field& below(double x) { return entry_->upper = x, entry_->upper_open = true, *this; }
   Field& at_most(double x) { return entry_->upper = x, entry_->upper_open = false, *this; }
+  /// An example in SI, for benchmarks and tests; it is not a default.
+  Field& typical(double x) { return entry_->typical = x, *this; }
   /// The default.
   Field& fallback(T value) {
     entry_->required = false;
@@ -270,6 +275,8 @@ class Schema : public SchemaBase {
   /// Points of the plane, [m].
   Field<std::vector<std::array<double, 2>>> points(std::string key,
                                                    std::vector<std::array<double, 2>> S::*member);
+  /// Three rows of three numbers, without a unit; row-major.
+  Field<std::array<double, 9>> matrix(std::string key, std::array<double, 9> S::*member);
 
   /// A nested table; `schema` is a function, so that schemas may nest in themselves. Required
   /// unless .optional() follows, which gives the nested defaults.
@@ -318,6 +325,7 @@ std::string write_number(double value);
 std::string write_formula(const Formula& formula);
 std::string write_texts(const std::vector<std::string>& texts);
 std::string write_points(const std::vector<std::array<double, 2>>& points);
+std::string write_matrix(const std::array<double, 9>& matrix);
 /// `entry.length` or else `dimension` entries.
 std::string write_vector(const Entry& entry, const double* values, int dimension);
 std::string write_formulas(const Entry& entry, const Formula* formulas, int dimension);

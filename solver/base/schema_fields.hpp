@@ -152,6 +152,17 @@ Field<std::vector<std::array<double, 2>>> Schema<S>::points(
 }
 
 template <class S>
+Field<std::array<double, 9>> Schema<S>::matrix(std::string key, std::array<double, 9> S::*member) {
+  using Matrix = std::array<double, 9>;
+  Entry& e = bind(std::move(key), EntryKind::matrix, Unit::none, member);
+  e.read = [&e](void* m, const Value& value, const std::string& path, SchemaReader& reader) {
+    reader.matrix(e, value, path, *static_cast<Matrix*>(m));
+  };
+  e.write = [](const void* m, int) { return write_matrix(*static_cast<const Matrix*>(m)); };
+  return Field<Matrix>(e);
+}
+
+template <class S>
 template <class N>
 Field<N> Schema<S>::table(std::string key, N S::*member, const Schema<N>& (*schema)()) {
   Entry& e = bind(std::move(key), EntryKind::table, Unit::none, member);

@@ -275,4 +275,22 @@ bool SchemaReader::points(const Entry& entry, const Value& value, const std::str
   return good;
 }
 
+bool SchemaReader::matrix(const Entry& entry, const Value& value, const std::string& path,
+                          std::array<double, 9>& result) {
+  if (!value.is(Value::Kind::array) || value.items.size() != 3) {
+    report(value, path, "must be an array of three rows",
+           "[[11, 12, 13], [21, 22, 23], [31, 32, 33]]");
+    return false;
+  }
+  Entry row = entry;
+  row.length = 3;
+  bool good = true;
+  std::array<double, 9> read{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    good = vector(row, value.items[i], path + "[" + std::to_string(i) + "]", &read[3 * i]) && good;
+  }
+  if (good) result = read;
+  return good;
+}
+
 }  // namespace scree

@@ -3,6 +3,7 @@
 
 #include <any>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct MaterialSpec {
   std::string name;
   std::string model;                                          ///< a name of the material registry
   double density = std::numeric_limits<double>::quiet_NaN();  ///< kg/m^3
+  std::optional<double> undrained_bulk_modulus;               ///< of the pore water, Pa
   std::any input;                                             ///< the model's Input
 };
 

@@ -7,6 +7,7 @@
 #include "materials/registry.hpp"
 #include "solver/base/error.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/initial_stress.hpp"
 #include "solver/particles/sampling.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -50,7 +51,6 @@ class Checker {
     check_fields();
     for (const BodySpec& body : deck_.bodies) {
       check_place(body);
-      check_initial_stress(body);
     }
   }
 
@@ -131,8 +131,6 @@ class Checker {
 
   void check_gravity() {
     if (faulty("method.gravity")) return;
-    int axes = 0;
-    bool constant = true;
     for (int i = 0; i < deck_.domain.dimension; ++i) {
       const Formula& formula = deck_.method.gravity[static_cast<std::size_t>(i)];
       if (!formula.given()) return;
@@ -142,15 +140,13 @@ class Checker {
         report({"method", "gravity"}, "\"" + formula.text + "\" is not finite at t = 0");
         return;
       }
-      constant = constant && expression.constant();
-      axes += value != 0 || !expression.constant() ? 1 : 0;
     }
     for (const BodySpec& body : deck_.bodies) {
       const auto& stress = body.initial_stress;
       if (!stress || stress->type != InitialStressType::geostatic) continue;
-      if (constant && axes == 1) continue;
+      if (gravity_axis(deck_) >= 0) continue;
       report({"body", body.name, "initial_stress"},
-             "geostatic stress needs a constant method.gravity along one axis", "",
+             "geostatic stress needs a method.gravity that is along one axis at t = 0", "",
              "set method.gravity, or use type = \"uniform\"");
     }
   }
@@ -171,6 +167,9 @@ class Checker {
     std::vector<std::string> names{"velocity",     "stress", "pressure", "mass", "volume",
                                    "displacement", "id",     "material", "body"};
     for (const MaterialSpec& material : deck_.materials) {
+      if (material.undrained_bulk_modulus && !contains(names, "pore_pressure")) {
+        names.insert(names.end(), {"pore_pressure", "effective_stress"});
+      }
       const MaterialEntry* model = find_material_model(material.model);
       if (model == nullptr) continue;
       for (const StateField& field : model->fields) {
@@ -206,11 +205,17 @@ class Checker {
                    message, allowed, repair});
   }
 
-  /// Read and checked, but not yet used by the solver: refused rather than ignored.
-  void check_initial_stress(const BodySpec& body) {
-    if (!body.initial_stress || faulty("body." + toml_key(body.name) + ".initial_stress")) return;
-    report({"body", body.name, "initial_stress"}, "not available in this version", "",
-           "remove it, and let the body settle under damping first");
+  /// Positions: of all particles, or corners of a large body.
+  void check_initial_stress(const BodySpec& body, const std::vector<double>& position) {
+    const std::string key = "body." + toml_key(body.name);
+    const MaterialSpec* material = deck_.find_material(body.material);
+    if (!body.initial_stress || faulty(key + ".initial_stress") || faulty("method.gravity")) return;
+    if (!material || faulty("material." + toml_key(material->name))) return;
+    const auto fault = initial_stress_fault(deck_, body, position);
+    if (!fault) return;
+    std::vector<std::string> path{"body", body.name, "initial_stress"};
+    if (!fault->key.empty()) path.push_back(fault->key);
+    report(path, fault->message, fault->allowed, fault->repair);
   }
 
   void check_place(const BodySpec& body) {
@@ -259,11 +264,17 @@ class Checker {
     for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i) {
       sites *= (box.upper[i] - box.lower[i]) / spacing + 1;
     }
-    if (sites > most_sites) return;
+    if (sites > most_sites) {
+      std::vector<double> corners;  // the first and the last site inside
+      for (const double x : box.lower) corners.push_back(x + 0.5 * spacing);
+      for (const double x : box.upper) corners.push_back(x - 0.5 * spacing);
+      return check_initial_stress(body, corners);
+    }
     const auto particles = sample(shape, deck_.domain.lower, deck_.domain.cell_size,
                                   body.particles_per_direction, dimension);
     if (particles.count() > 0) {
       check_finite(body, particles.position);
+      check_initial_stress(body, particles.position);
       return;
     }
     report({"body", body.name, "shape"}, "holds no particle", "",

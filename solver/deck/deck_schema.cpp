@@ -27,6 +27,14 @@ std::vector<std::string> absent_models() {
   return names;
 }
 
+std::vector<std::string> effective_stress_models() {
+  std::vector<std::string> names;
+  for (const MaterialEntry& model : material_registry()) {
+    if (model.effective_stress) names.push_back(model.name);
+  }
+  return names;
+}
+
 Schema<MaterialSpec> make_material_schema() {
   Schema<MaterialSpec> s("material",
                          "What a body is made of: a model, the density, and the keys "
@@ -38,6 +46,15 @@ Schema<MaterialSpec> make_material_schema() {
   s.number("density", &MaterialSpec::density, Unit::density)
       .above(0)
       .doc("Mass per volume at the start.");
+  s.number("undrained_bulk_modulus", &MaterialSpec::undrained_bulk_modulus, Unit::pressure)
+      .above(0)
+      .when("model", effective_stress_models())
+      .fallback_text("no pore water")
+      .doc(
+          "Pore water that cannot drain: its bulk modulus over the porosity, K_f/n. The model's "
+          "stress is then the effective one, `stress` and `pressure` are total, and there are the "
+          "fields `pore_pressure` (excess, compression positive) and `effective_stress`. "
+          "Skempton's B is K/(K + K_model).");
   return s;
 }
 
@@ -59,8 +76,10 @@ void read_material(MaterialSpec& spec, const Value& value, const std::string& pa
   const MaterialEntry* model = find_material_model(spec.model);
   if (model == nullptr) return;
   spec.input = model->make_input();
+  std::vector<std::string> common = material_schema().keys();
+  if (!model->effective_stress) std::erase(common, "undrained_bulk_modulus");
   reader.read(*model->schema, model->input_pointer(spec.input),
-              part_of(value, material_schema(), false), path, material_schema().keys());
+              part_of(value, material_schema(), false), path, common);
 }
 
 /// The schema of a deck's top level, with the one entry that no field function makes: materials,

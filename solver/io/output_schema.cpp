@@ -22,7 +22,9 @@ Schema<OutputSpec> make_output_schema() {
       .fallback({"velocity", "stress"})
       .doc(
           "Particle fields besides id, material and body: velocity, stress, pressure, mass, "
-          "volume, displacement, and the history fields of the materials in use.");
+          "volume, displacement, the history fields of the materials in use, and with pore water "
+          "pore_pressure and effective_stress. pressure is the mean of stress; both are total "
+          "where there is pore water.");
   s.flag("grid", &OutputSpec::grid).fallback(false).doc("Also writes the grid (.vti).");
   return s;
 }

@@ -5,16 +5,23 @@ namespace scree {
 namespace {
 
 Schema<InitialStressSpec> make_initial_stress_schema() {
-  Schema<InitialStressSpec> s("initial_stress", "The stress of a body at the start.");
+  Schema<InitialStressSpec> s("initial_stress",
+                              "The stress of a body at the start, effective where there is pore "
+                              "water: excess pore pressures start from zero.");
   s.choice("type", &InitialStressSpec::type,
            {{"geostatic", InitialStressType::geostatic}, {"uniform", InitialStressType::uniform}})
-      .doc("geostatic: own weight below a level surface; uniform: the same everywhere.");
+      .doc(
+          "geostatic: own weight (density and gravity at t = 0, which must be along an axis) below "
+          "a level surface; uniform: the same everywhere.");
   s.number("surface", &InitialStressSpec::surface, Unit::length)
       .when("type", {"geostatic"})
-      .doc("Coordinate of the free surface along the axis of gravity.");
+      .doc("Coordinate of the free surface along the axis of gravity; no particle above it.");
   s.number("k0", &InitialStressSpec::k0)
       .at_least(0)
       .when("type", {"geostatic"})
+      .fallback_text(
+          "the model's: 1 - sin(friction_angle), with m instead 1 - 3 m/(6 + m), else "
+          "poissons_ratio/(1 - poissons_ratio), 1 in fluids")
       .doc("Horizontal over vertical stress.");
   s.vector("value", &InitialStressSpec::value, Unit::pressure)
       .length(3)
@@ -40,7 +47,7 @@ Schema<BodySpec> make_body_schema() {
           "affine matrix.");
   s.table("initial_stress", &BodySpec::initial_stress, &initial_stress_schema)
       .fallback_text("none")
-      .doc("Stress at the start; not available in this version.");
+      .doc("Effective stress at the start.");
   return s;
 }
 

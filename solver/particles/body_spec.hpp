@@ -15,8 +15,8 @@ enum class InitialStressType { geostatic, uniform };
 /// `initial_stress` of a body (tension positive).
 struct InitialStressSpec {
   InitialStressType type = InitialStressType::uniform;
-  double surface = 0;  ///< geostatic: coordinate of the free surface along gravity's axis, m
-  double k0 = 0;       ///< geostatic: horizontal over vertical stress
+  double surface = 0;        ///< geostatic: coordinate of the free surface along gravity's axis, m
+  std::optional<double> k0;  ///< geostatic: horizontal over vertical stress; not given: the law's
   std::array<double, 3> value{};  ///< uniform: xx, yy, zz, Pa
 };
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace scree {
 
@@ -12,10 +13,11 @@ struct ParticleView {
   std::array<double, 3> position{};   ///< [m]
   std::array<double, 3> velocity{};   ///< [m/s]
   double affine[3][3] = {};           ///< B [m^2/s]
-  std::array<double, 6> kirchhoff{};  ///< [Pa]: xx, xy, xz, yy, yz, zz
-  double volume_ratio = 1;            ///< total J
-  double energy_density = 0;          ///< [J/m^3] of reference volume
-  std::int32_t batch = 0;             ///< where its material state lies
+  std::array<double, 6> kirchhoff{};  ///< [Pa]: xx, xy, xz, yy, yz, zz; with the pore water's share
+  std::optional<double> pore_pressure;  ///< [Pa]; nothing without pore water
+  double volume_ratio = 1;              ///< total J
+  double energy_density = 0;            ///< [J/m^3] of reference volume
+  std::int32_t batch = 0;               ///< where its material state lies
   int lane = 0;
 };
 

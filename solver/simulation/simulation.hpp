@@ -29,11 +29,17 @@ struct BodySetup {
   std::string model;     ///< name of the law
   std::any input;        ///< the law's Input
   double density = 0;    ///< [kg/m^3]
+  /// Bulk modulus of undrained pore water [Pa], for laws of effective stresses; 0: no pore water.
+  double undrained_bulk_modulus = 0;
   std::int32_t material_index = 0;
   double particle_volume = 0;             ///< [m^3] (2D: m^2)
   std::vector<double> position;           ///< 3 per particle [m]
   std::vector<double> velocity;           ///< 3 per particle [m/s]; empty = at rest
   std::vector<double> velocity_gradient;  ///< 9 per particle, dv_i/dx_j row-major [1/s]; empty = 0
+  /// States of the law (entries in the order of its fields) that particles start from, and for each
+  /// particle the one it has; empty: all start from the law's initial state.
+  std::vector<std::vector<double>> states;
+  std::vector<std::int32_t> state_of;
 };
 
 /// A load on marked particles of one body.

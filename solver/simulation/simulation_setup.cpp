@@ -151,6 +151,7 @@ void SimulationImpl<D, T>::add_body(const BodySetup& setup, std::int32_t index) 
   info.material_index = setup.material_index;
   info.particle_volume = setup.particle_volume;
   info.density = setup.density;
+  info.undrained_bulk_modulus = setup.undrained_bulk_modulus;
   State state;
   state.first_id = particle_count();
   state.body = make_body<D, T>(info, setup.input);
@@ -180,6 +181,11 @@ void SimulationImpl<D, T>::place_particles(const BodySetup& setup, State& state)
     const std::uint64_t key = block_key<D>(home_block<D>(cells, local));
     const std::int64_t slot = store.append(key, state.first_id + std::int64_t(p));
     for (int a = 0; a < D; ++a) store.value(slot, a) = T(local[a]);
+    if (!setup.state_of.empty()) {
+      const std::vector<double>& entries = setup.states[std::size_t(setup.state_of[p])];
+      for (std::size_t i = 0; i < entries.size(); ++i)
+        store.value(slot, D + int(i)) = T(entries[i]);
+    }
     for (int a = 0; a < D; ++a) {
       const double v = setup.velocity.empty() ? 0.0 : setup.velocity[3 * p + a];
       store.aux_value(slot, layout_.velocity + a) = T(v);

@@ -12,7 +12,16 @@ namespace {
 
 constexpr int sym_index[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
-enum class FieldQuantity { velocity, stress, pressure, mass, volume, displacement, state };
+enum class FieldQuantity {
+  velocity,
+  stress,
+  effective_stress,
+  pressure,
+  mass,
+  volume,
+  displacement,
+  state
+};
 
 struct BuiltInField {
   const char* name;
@@ -24,6 +33,7 @@ struct BuiltInField {
 constexpr BuiltInField built_in_fields[] = {
     {"velocity", "m/s", 3, FieldQuantity::velocity},
     {"stress", "Pa", 9, FieldQuantity::stress},
+    {"effective_stress", "Pa", 9, FieldQuantity::effective_stress},
     {"pressure", "Pa", 1, FieldQuantity::pressure},
     {"mass", "kg", 1, FieldQuantity::mass},
     {"volume", "m^3", 1, FieldQuantity::volume},
@@ -36,7 +46,8 @@ struct FieldSource {
   std::vector<int> first;  ///< state: per body, first entry of the column; -1 = the body has none
 };
 
-/// Cauchy stress is Kirchhoff stress over J; pressure is compression positive.
+/// Cauchy stress is Kirchhoff stress over J, total where there is pore water; pressure is that of
+/// the same stress, compression positive.
 void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInfo& info,
                     const double* reference, double* out) {
   switch (quantity) {
@@ -45,6 +56,13 @@ void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInf
       return;
     case FieldQuantity::stress:
       for (int i = 0; i < 9; ++i) out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
+      return;
+    case FieldQuantity::effective_stress:
+      if (!p.pore_pressure) return;  // no pore water: stays NaN
+      for (int i = 0; i < 9; ++i) {
+        out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
+        if (i % 4 == 0) out[i] += *p.pore_pressure;
+      }
       return;
     case FieldQuantity::pressure:
       out[0] = -(p.kirchhoff[0] + p.kirchhoff[3] + p.kirchhoff[5]) / (3 * p.volume_ratio);

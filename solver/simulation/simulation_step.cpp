@@ -217,6 +217,7 @@ PassData<D, T> SimulationImpl<D, T>::pass_data(State& state, double dt, double d
   par.cell_size = T(setup_.cell_size);
   par.particle_mass = T(state.body->info().particle_mass());
   par.particle_volume = T(state.body->info().particle_volume);
+  par.undrained_bulk_modulus = T(state.body->info().undrained_bulk_modulus);
   par.flip_blend = T(setup_.flip_blend);
   par.record = recorded_ && fused_ && layout_.total > 0;
   par.separate_force = separate_;

@@ -15,6 +15,7 @@ void SimulationImpl<D, T>::visit_block(const State& state, std::size_t number, F
   constexpr int width = ParticleStore<D, T>::width;
   const ParticleStore<D, T>& store = state.body->store();
   const auto& block = store.blocks()[number];
+  const bool water = state.body->info().undrained_bulk_modulus > 0;  // its pressure comes last
   for (std::size_t k = 0; k < block.batches.size(); ++k) {
     const std::int32_t b = block.batches[k];
     const int active = std::min(width, block.count - int(k) * width);
@@ -37,6 +38,7 @@ void SimulationImpl<D, T>::visit_block(const State& state, std::size_t number, F
         }
       }
       for (int i = 0; i < 6; ++i) view.kirchhoff[std::size_t(i)] = value(layout_.stress + i);
+      if (water) view.pore_pressure = double(store.batch(b)[(store.fields() - 1) * width + l]);
       view.batch = b;
       view.lane = l;
       f(view);

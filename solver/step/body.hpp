@@ -21,8 +21,9 @@ struct BodyInfo {
   std::string model;     ///< name of its law
   std::int32_t body_index = 0;
   std::int32_t material_index = 0;
-  double particle_volume = 0;  ///< reference volume V0 [m^3] (2D: m^2)
-  double density = 0;          ///< [kg/m^3]
+  double particle_volume = 0;         ///< reference volume V0 [m^3] (2D: m^2)
+  double density = 0;                 ///< [kg/m^3]
+  double undrained_bulk_modulus = 0;  ///< of the pore water [Pa]; 0: no pore pressure
   double particle_mass() const { return density * particle_volume; }
 };
 
@@ -51,10 +52,10 @@ class Body {
   virtual void g2p2g(Executor&, const PassData<D, T>&, const Blocks&, KernelType) const = 0;
   /// Material update over blocks, from the stored dt grad v.
   virtual void stress(Executor&, const PassData<D, T>&, const Blocks&) const = 0;
-  /// Safe bound of the wave speed of the undeformed material [m/s].
+  /// Safe bound of the wave speed of the undeformed material, with its pore water [m/s].
   virtual double initial_wave_speed() const = 0;
   /// For the first `active` particles of a batch: total volume ratio J and elastic energy per
-  /// reference volume [J/m^3].
+  /// reference volume, that of the pore water included [J/m^3].
   virtual void evaluate(const T* batch, int active, double* volume_ratio,
                         double* energy_density) const = 0;
 

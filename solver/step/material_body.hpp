@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "materials/pore_water.hpp"
 #include "solver/base/error.hpp"
 #include "solver/step/block_bodies.hpp"
 #include "solver/step/body.hpp"
@@ -42,11 +43,15 @@ class MaterialBody final : public Body<D, T> {
   using typename Body<D, T>::Blocks;
 
   MaterialBody(BodyInfo info, const typename Material::Input& input)
-      : Body<D, T>(info, state_entries<State, T>,
-                   padding(Material::template params<T>(input, info.density, D)),
-                   state_columns<Material>()),
+      : Body<D, T>(info, state_entries<State, T> + (has_water(info) ? 1 : 0),
+                   padding(info, Material::template params<T>(input, info.density, D)),
+                   columns(info)),
         params_(Material::template params<T>(input, info.density, D)),
-        exact_(Material::template params<double>(input, info.density, D)) {}
+        exact_(Material::template params<double>(input, info.density, D)) {
+    if (has_water(info) && !effective_stress<Material>) {
+      throw UserError(info.model + " is no law of effective stresses: no undrained_bulk_modulus");
+    }
+  }
 
   void g2p2g(Executor& executor, const PassData<D, T>& data, const Blocks& blocks,
              KernelType kernel) const override {
@@ -63,7 +68,12 @@ class MaterialBody final : public Body<D, T> {
   }
 
   double initial_wave_speed() const override {
-    return Material::wave_speed(exact_, Material::template initial<double>(exact_));
+    const auto state = Material::template initial<double>(exact_);
+    const double speed = Material::wave_speed(exact_, state);
+    const BodyInfo& info = this->info();
+    if (!has_water(info)) return speed;
+    return pore_water::wave_speed(speed, Material::volume_ratio(exact_, state),
+                                  info.undrained_bulk_modulus, info.density);
   }
 
   void evaluate(const T* batch, int active, double* volume_ratio,
@@ -78,14 +88,30 @@ class MaterialBody final : public Body<D, T> {
       __builtin_memcpy(&state, values, sizeof state);
       volume_ratio[l] = Material::volume_ratio(exact_, state);
       energy_density[l] = Material::energy_density(exact_, state);
+      if (!has_water(this->info())) continue;
+      const double pressure = double(batch[(D + entries) * width + l]);
+      energy_density[l] += pore_water::energy_density(volume_ratio[l], pressure,
+                                                      this->info().undrained_bulk_modulus);
     }
   }
 
  private:
-  static std::vector<T> padding(const Params& params) {
+  static bool has_water(const BodyInfo& info) { return info.undrained_bulk_modulus > 0; }
+
+  static std::vector<T> padding(const BodyInfo& info, const Params& params) {
     std::vector<T> fields(D, T(0));
     for (const T entry : initial_entries<Material, T>(params)) fields.push_back(entry);
+    if (has_water(info)) fields.push_back(T(0));
     return fields;
+  }
+
+  static std::vector<StateColumn> columns(const BodyInfo& info) {
+    std::vector<StateColumn> columns = state_columns<Material>();
+    if (!has_water(info)) return columns;
+    const StateField field = pore_water::field();
+    columns.push_back(
+        {field.name, field.unit, field.components, state_entries<State, T>, field.output});
+    return columns;
   }
 
   template <class Kernel>

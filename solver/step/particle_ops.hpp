@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "materials/pore_water.hpp"
 #include "solver/base/tensor.hpp"
 #include "solver/step/pass_data.hpp"
 #include "solver/step/state_access.hpp"
@@ -140,23 +141,52 @@ SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<
   return select(scatters, broadcast<V>(T(1)), none);
 }
 
-/// Loads the material state, applies dt grad v, stores it and returns the Kirchhoff stress [Pa];
-/// reports the wave speed and states that the material cannot represent.
+/// Whether bodies of a law may carry pore pressure: laws say so themselves.
+template <class Material>
+inline constexpr bool effective_stress = [] {
+  if constexpr (requires { Material::effective_stress; }) return Material::effective_stress;
+  return false;
+}();
+
+/// Follows the pore pressure in field `field` over the step and adds its share to the stress and
+/// the wave speed of the skeleton.
+template <class G, class V, class T>
+SCREE_FN void add_pore_water(G& g, const typename G::Batch& b, int field,
+                             const PassParameters<T>& par, const Mat3<V>& increment,
+                             const V& volume_ratio, Sym3<V>& tau, V& wave_speed) {
+  const V pressure = pore_water::advance(g.load(b, field), par.undrained_bulk_modulus, increment);
+  g.store(b, field, pressure);
+  tau = pore_water::total(tau, volume_ratio, pressure);
+  wave_speed = pore_water::wave_speed(wave_speed, volume_ratio, par.undrained_bulk_modulus,
+                                      par.particle_mass / par.particle_volume);
+}
+
+/// Loads the material state, applies dt grad v, stores it and returns the Kirchhoff stress [Pa],
+/// with the pore pressure where there is one; reports the wave speed and states that the material
+/// cannot represent.
 template <class Material, class G, class V, int D, class T>
 SCREE_FN Sym3<V> update_material(G& g, const typename G::Batch& b, const PassParameters<T>& par,
                                  const typename Material::template Params<T>& material,
                                  const Mat3<V>& increment, const V (&u)[D],
                                  const V (&velocity)[D]) {
-  auto state = load_state<typename Material::template State<V>, V>(g, b, D);
-  const Sym3<V> tau = Material::kirchhoff(material, state, increment, par.dt);
+  using State = typename Material::template State<V>;
+  State state = load_state<State, V>(g, b, D);
+  Sym3<V> tau = Material::kirchhoff(material, state, increment, par.dt);
   store_state<V>(g, b, D, state);
   const MaskOf<V> active = g.active(b);
   const MaskOf<V> admissible = Material::admissible(material, state);
   g.fault(active & !admissible, FaultCode::inadmissible_state,
           Material::volume_ratio(material, state), u, b);
+  V wave_speed = Material::wave_speed(material, state);
+  if constexpr (effective_stress<Material>) {
+    if (par.undrained_bulk_modulus > T(0)) {
+      add_pore_water(g, b, D + state_entries<State, V>, par, increment,
+                     Material::volume_ratio(material, state), tau, wave_speed);
+    }
+  }
   V square = velocity[0] * velocity[0];
   for (int c = 1; c < D; ++c) square = square + velocity[c] * velocity[c];
-  g.note_signal(active, Material::wave_speed(material, state) + sqrt(square));
+  g.note_signal(active, wave_speed + sqrt(square));
   return tau;
 }
 

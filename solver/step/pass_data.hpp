@@ -43,14 +43,15 @@ struct BlockResult {
 /// Numbers that are the same for all blocks of a body in one pass.
 template <class T>
 struct PassParameters {
-  T dt = 0;                     ///< step that the gathered velocities belong to [s]
-  T dt_next = 0;                ///< step that the scattered forces belong to [s]
-  T cell_size = 1;              ///< [m]
-  T particle_mass = 0;          ///< [kg] (2D: per metre)
-  T particle_volume = 0;        ///< reference volume V0 [m^3] (2D: m^2)
-  T flip_blend = 1;             ///< flip: share of the increment form, 0 = pic
-  bool record = false;          ///< fused pass: also store velocity, affine matrix and stress
-  bool separate_force = false;  ///< scatter forces into channel 1 (flip, local damping)
+  T dt = 0;                      ///< step that the gathered velocities belong to [s]
+  T dt_next = 0;                 ///< step that the scattered forces belong to [s]
+  T cell_size = 1;               ///< [m]
+  T particle_mass = 0;           ///< [kg] (2D: per metre)
+  T particle_volume = 0;         ///< reference volume V0 [m^3] (2D: m^2)
+  T undrained_bulk_modulus = 0;  ///< of the pore water; 0 = the particles have no pore pressure
+  T flip_blend = 1;              ///< flip: share of the increment form, 0 = pic
+  bool record = false;           ///< fused pass: also store velocity, affine matrix and stress
+  bool separate_force = false;   ///< scatter forces into channel 1 (flip, local damping)
   T alive_lower[3];  ///< a particle outside [alive_lower, alive_upper) is removed [cells]
   T alive_upper[3];
   T closed_lower[3];  ///< a particle outside these is a fault [cells]

@@ -2,7 +2,7 @@
 // Fixed-corotated elasticity against its closed forms.
 #include <gtest/gtest.h>
 
-#include "verification/conformance/samples.hpp"
+#include "verification/conformance/samples/fixed_corotated.hpp"
 
 namespace scree {
 namespace {

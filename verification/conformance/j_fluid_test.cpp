@@ -2,7 +2,7 @@
 // The fluid law against its formulas.
 #include <gtest/gtest.h>
 
-#include "verification/conformance/samples.hpp"
+#include "verification/conformance/samples/j_fluid.hpp"
 
 namespace scree {
 namespace {

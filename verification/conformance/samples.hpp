@@ -1,57 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// Parameters, states and paths with which every material of materials/list.def is tested.
+/// Parameters and states of a law by its C++ type, for the tests of single laws. The parameters of
+/// samples/<header>.hpp are also those of the tests that run for every law.
 #pragma once
 
-#include <cfenv>
 #include <cmath>
 #include <cstring>
-#include <tuple>
-#include <utility>
 #include <vector>
 
-#include "generated/materials.hpp"
-#include "materials/registry.hpp"
+#include "materials/typical_input.hpp"
+#include "verification/conformance/law.hpp"
+#include "verification/support/floating_point_traps.hpp"
 #include "verification/support/lanes_testing.hpp"
 
 namespace scree::testing {
 
-inline constexpr double degree = 3.14159265358979323846 / 180;
-inline constexpr double density = 1700;
-
 /// Inputs for the tests of a law. A new law gets one from its schema (defaults, and a value by unit
-/// for every required number); specialise this where more variants are worth testing.
+/// for every required number); samples/<header>.hpp has better ones.
 template <class M>
 std::vector<typename M::Input> sample_inputs() {
   const auto schema = M::schema();
   typename M::Input input{};
-  schema.reset(&input, SchemaContext{});
-  for (const auto& entry : schema.entries()) {
-    if (!entry->required || entry->kind != EntryKind::number) continue;
-    double& value = *static_cast<double*>(entry->member(&input));
-    if (entry->unit == Unit::pressure) value = 1e7;
-    if (entry->unit == Unit::angle) value = 30 * degree;
-    if (entry->unit == Unit::none) value = entry->upper ? 0.3 * *entry->upper : 1.0;
-  }
+  set_typical_values(schema, &input, 3);
   return {input};
-}
-
-template <>
-inline std::vector<FixedCorotated::Input> sample_inputs<FixedCorotated>() {
-  return {{1e7, 0.3}, {2e5, 0.45}, {1e7, 0.0}, {1e7, -0.4}};
-}
-
-template <>
-inline std::vector<DruckerPrager::Input> sample_inputs<DruckerPrager>() {
-  return {{1e7, 0.3, 30 * degree, 0, 0, Match::compression},
-          {1e7, 0.2, 35 * degree, 2e4, 0, Match::plane_strain},
-          {1e7, 0.3, 40 * degree, 5e4, 15 * degree, Match::plane_strain},
-          {1e7, 0.0, 25 * degree, 1e4, 25 * degree, Match::extension}};
-}
-
-template <>
-inline std::vector<JFluid::Input> sample_inputs<JFluid>() {
-  return {{1e6, 7, 0, 1}, {1e6, 7, 3.0, 0.98}, {1e6, 1, 0.1, 1.01}, {2e5, 4.4, 0, 1}};
 }
 
 /// P-wave modulus at small strain [Pa]: the scale of stress errors.
@@ -139,38 +110,5 @@ typename M::template State<double> elastic_state(const typename M::template Para
   M::kirchhoff(p, state, from_eigen<double>(source.entries(shear)), 1e-2);
   return rotated<M>(state, from_eigen<double>(source.rotation()));
 }
-
-/// Floating-point exceptions kill the process while this lives: no lane may divide by zero,
-/// overflow or make a NaN, not even in a branch that a select drops.
-class FloatingPointTraps {
- public:
-  FloatingPointTraps() {
-    std::feclearexcept(FE_ALL_EXCEPT);
-    feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
-  }
-  ~FloatingPointTraps() { fedisableexcept(FE_ALL_EXCEPT); }
-  FloatingPointTraps(const FloatingPointTraps&) = delete;
-  FloatingPointTraps& operator=(const FloatingPointTraps&) = delete;
-};
-
-// All laws of this build, for typed tests: the list's lines end with commas, so it gets one more
-// entry, which is dropped again.
-struct EndOfList {};
-#define SCREE_MATERIAL(header, Type) Type,
-// clang-format off
-using AllMaterials = std::tuple<
-#include "generated/materials.def"
-    EndOfList>;
-// clang-format on
-#undef SCREE_MATERIAL
-
-template <class Tuple, class Indices>
-struct AllButLast;
-template <class Tuple, std::size_t... I>
-struct AllButLast<Tuple, std::index_sequence<I...>> {
-  using Types = ::testing::Types<std::tuple_element_t<I, Tuple>...>;
-};
-using MaterialTypes =
-    AllButLast<AllMaterials, std::make_index_sequence<std::tuple_size_v<AllMaterials> - 1>>::Types;
 
 }  // namespace scree::testing

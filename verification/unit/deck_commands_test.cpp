@@ -31,7 +31,7 @@ Outcome scree(std::vector<const char*> words) {
 TEST(CommandLine, HelpAndVersionAreNoMistakes) {
   const Outcome help = scree({"--help"});
   EXPECT_EQ(help.status, 0);
-  for (const char* command : {"run", "check", "describe", "info", "bench"}) {
+  for (const char* command : {"run", "check", "describe", "element", "info", "bench"}) {
     EXPECT_NE(help.out.find(command), std::string::npos) << command;
   }
   EXPECT_EQ(scree({"--version"}).status, 0);
@@ -46,15 +46,14 @@ TEST(CommandLine, WithoutACommandPrintsHelpAndFails) {
 
 TEST(CommandLine, UnknownCommandsGetASuggestion) {
   EXPECT_EQ(scree({"rnu"}).error,
-            "scree: unknown command \"rnu\"; commands: run, check, describe, info, bench; did you "
-            "mean \"run\"?\n");
+            "scree: unknown command \"rnu\"; commands: run, check, describe, element, info, bench; "
+            "did you mean \"run\"?\n");
   EXPECT_EQ(scree({"rnu"}).status, 2);
-  const Outcome element = scree({"element", "deck.toml"});
-  EXPECT_EQ(element.status, 2);
-  EXPECT_EQ(
-      element.error,
-      "scree: the command \"element\" is not available in this version; commands: run, check, "
-      "describe, info, bench\n");
+  const Outcome post = scree({"post", "runout"});
+  EXPECT_EQ(post.status, 2);
+  EXPECT_EQ(post.error,
+            "scree: the command \"post\" is not available in this version; commands: run, check, "
+            "describe, element, info, bench\n");
 }
 
 TEST(CommandLine, UnknownOptionsGetASuggestion) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// log, log1p, exp, expm1 against long double (64-bit mantissa), with the accuracy their comments
-// state.
+// log, log1p, exp, expm1, sin against long double (64-bit mantissa), with the accuracy their
+// comments state.
 #include "solver/base/math.hpp"
 
 #include <gtest/gtest.h>
@@ -99,6 +99,17 @@ TYPED_TEST(MathTest, Expm1IsAccurateForSmallArguments) {
   };
   EXPECT_LE(error(this->between(1e-20, 10.0, kCount, true)), 3.0);
   EXPECT_LE(error(this->between(-5.0, 5.0, kCount, false)), 3.0);
+}
+
+TYPED_TEST(MathTest, SinIsWithinTwoUnits) {
+  using T = Scalar<TypeParam>;
+  auto error = [&](const auto& points) {
+    return this->largest_error(
+        points, [](auto x) { return sin(x); }, [](T x) { return sin(x); },
+        [](long double x) { return std::sin(x); });
+  };
+  EXPECT_LE(error(this->between(-1.5707963, 1.5707963, kCount, false)), 2.0);
+  EXPECT_LE(error(this->between(1e-10, 1.5707963, kCount, true)), 2.0);
 }
 
 TYPED_TEST(MathTest, ExactValues) {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+/// \file
+/// Weakly compressible Newtonian fluid.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "materials/log_determinant.hpp"
+#include "materials/material.hpp"
+
+namespace scree {
+
+/// p = K/gamma (J^-gamma - 1) (Cole 1948, Monaghan 1994), tau = J (2 eta dev D - p I), D = sym grad
+/// v. gamma = 1 is the linear law p = K (rho/rho0 - 1).
+///
+/// Differences to JFluid: bulk_modulus is the bulk modulus at rest itself, not a prefactor; the
+/// viscous stress is deviatoric (Stokes' hypothesis), so that a change of volume makes pressure
+/// only; J is multiplied by det(I + L), hence exactly that of the motion; tension may be cut off.
+struct Newtonian {
+  static constexpr const char* name = "newtonian";
+
+  struct Input {
+    double bulk_modulus = std::numeric_limits<double>::quiet_NaN();  ///< K at rest [Pa]
+    double viscosity = 0;                                            ///< eta [Pa s]
+    double gamma = 7;
+    bool tension = true;
+  };
+
+  static Schema<Input> schema();
+
+  template <class T>
+  struct Params {
+    T bulk, gamma, viscosity, density;
+    T lowest;   ///< J - 1 below which the law is not evaluated
+    T weakest;  ///< lower bound of the pressure [K/gamma]: 0 without tension, else -1
+  };
+
+  template <class T>
+  static Params<T> params(const Input& in, double density, int /*dimension*/) {
+    return {T(in.bulk_modulus),
+            T(in.gamma),
+            T(in.viscosity),
+            T(density),
+            T(lowest_volume_ratio(in.gamma) - 1),
+            T(in.tension ? -1 : 0)};
+  }
+
+  /// J - 1 instead of J: in single precision the increments of a step would be lost in J.
+  template <class V>
+  struct State {
+    V volume_strain;
+    Sym3<V> strain_rate;  ///< of the last step, for the output of the viscous stress
+  };
+
+  static std::vector<StateField> fields() {
+    return {{"volume_strain", 1, "1", "J - 1.", true},
+            {"strain_rate", 6, "1/s", "Symmetric velocity gradient of the last step.", true}};
+  }
+
+  template <class V, class T>
+  SCREE_FN static State<V> initial(const Params<T>&) {
+    const V o = broadcast<V>(0);
+    return {o, {o, o, o, o, o, o}};
+  }
+
+  template <class V, class T>
+  SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T dt) {
+    s.volume_strain = s.volume_strain + (s.volume_strain + T(1)) * detail::volume_growth(L);
+    if (dt > T(0)) s.strain_rate = sym(L) * broadcast<V>(T(1) / dt);
+    const V j = max(s.volume_strain, broadcast<V>(p.lowest));
+    const V J = j + T(1);
+    const V pressure = max(expm1(-p.gamma * log1p(j)), broadcast<V>(p.weakest));
+    return detail::plus_diagonal(deviator(s.strain_rate) * (J * (T(2) * p.viscosity)),
+                                 -(J * pressure) * (p.bulk / p.gamma));
+  }
+
+  /// Sound: rho c^2 = -J dp/dJ, hence rho0 c^2 = K J^(1 - gamma). Viscosity limits the step by
+  /// diffusion, not through a speed: see viscosity().
+  template <class V, class T>
+  SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
+    const V j = max(s.volume_strain, broadcast<V>(p.lowest));
+    return exp((T(0.5) * (T(1) - p.gamma)) * log1p(j)) * sqrt(p.bulk / p.density);
+  }
+
+  /// Kinematic viscosity eta/rho [m^2/s] at the present density.
+  template <class V, class T>
+  SCREE_FN static V viscosity(const Params<T>& p, const State<V>& s) {
+    return (p.viscosity / p.density) * max(s.volume_strain + T(1), broadcast<V>(T(0)));
+  }
+
+  /// Integral of -p dJ from J = 1: K/gamma ((J^(1-gamma) - 1)/(gamma - 1) + J - 1), and K (J - 1 -
+  /// ln J) for gamma = 1; nothing beyond J = 1 where tension is cut off.
+  template <class V, class T>
+  SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
+    V j = max(s.volume_strain, broadcast<V>(p.lowest));
+    if (p.weakest == T(0)) j = min(j, broadcast<V>(T(0)));
+    const V logarithm = log1p(j);
+    const T power = p.gamma - T(1), scale = p.bulk / p.gamma;
+    if (abs(power) < T(1e-6)) return scale * (j - logarithm);
+    return scale * (expm1(-power * logarithm) * (T(1) / power) + j);
+  }
+
+  template <class V, class T>
+  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
+    return s.volume_strain + T(1);
+  }
+
+  template <class V, class T>
+  SCREE_FN static MaskOf<V> admissible(const Params<T>& p, const State<V>& s) {
+    return s.volume_strain > p.lowest;
+  }
+
+ private:
+  /// Where the pressure has reached e^40 K/gamma, or 1e-6: beyond any fluid, and still a number in
+  /// single precision.
+  static double lowest_volume_ratio(double gamma) {
+    const double ratio = std::exp(-40 / gamma);
+    return ratio > 1e-6 ? ratio : 1e-6;
+  }
+};
+
+inline Schema<Newtonian::Input> Newtonian::schema() {
+  Schema<Input> s(name, "Weakly compressible fluid with Newtonian viscosity.");
+  s.number("bulk_modulus", &Input::bulk_modulus, Unit::pressure)
+      .typical(1e6)
+      .above(0)
+      .doc(
+          "Bulk modulus at rest, rho0 c0^2; about (10 v_max)^2 rho0 keeps the density within 1 %.");
+  s.number("viscosity", &Input::viscosity, Unit::viscosity)
+      .at_least(0)
+      .fallback(0.0)
+      .doc("Dynamic viscosity eta; acts on the deviator of the rate of strain.");
+  s.number("gamma", &Input::gamma)
+      .above(0)
+      .fallback(7.0)
+      .doc("Exponent of the pressure K/gamma (J^-gamma - 1); 1: linear in the density.");
+  s.flag("tension", &Input::tension)
+      .fallback(true)
+      .doc("false: the pressure is never negative, the fluid parts without resistance.");
+  s.cite(
+      "Monaghan, Simulating free surface flows with SPH, J. Computational Physics 110(2), 1994, "
+      "doi 10.1006/jcph.1994.1034");
+  return s;
+}
+
+}  // namespace scree

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "postproc/plot/chart.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace scree {
+namespace {
+
+constexpr Colour ink{0.13, 0.13, 0.13}, pale{0.88, 0.88, 0.88};
+constexpr double text_size = 22;
+
+/// One axis: its range, and where a value stands between 0 and 1.
+struct Axis {
+  double low = 0, high = 1;
+  bool logarithmic = false;
+
+  double share(double value) const {
+    if (!logarithmic) return (value - low) / (high - low);
+    return std::log(value / low) / std::log(high / low);
+  }
+};
+
+/// Distance of round numbers, at most about `most` in the range.
+double tick_step(double low, double high, double most) {
+  const double rough = (high - low) / most;
+  const double power = std::pow(10.0, std::floor(std::log10(rough)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
+}
+
+std::vector<double> ticks(const Axis& axis, double most) {
+  std::vector<double> values;
+  if (axis.logarithmic) {
+    for (double power = std::pow(10.0, std::floor(std::log10(axis.low))); power <= axis.high;
+         power *= 10) {
+      for (const double factor : {1.0, 2.0, 5.0}) {
+        const double value = factor * power;
+        if (value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9)) {
+          values.push_back(value);
+        }
+      }
+    }
+    return values;
+  }
+  const double step = tick_step(axis.low, axis.high, most);
+  for (double i = std::ceil(axis.low / step - 1e-9); i * step <= axis.high + 1e-9 * step; ++i) {
+    values.push_back(i == 0 ? 0.0 : i * step);
+  }
+  return values;
+}
+
+std::string tick_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// The range of the curves, widened to whole ticks; a constant gets room around it.
+Axis choose_axis(const Chart& chart, std::vector<double> Curve::*values, bool logarithmic,
+                 double most) {
+  double low = std::numeric_limits<double>::max(), high = -low;
+  for (const Curve& curve : chart.curves) {
+    if (!curve.frames) continue;
+    for (const double value : curve.*values) {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  if (low > high) return {};
+  if (logarithmic) return {low / 1.1, high * 1.1, true};
+  // What is flat to four digits is shown as flat: labels have few digits.
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (!(high - low > 1e-4 * size)) {
+    const double room = size > 0 ? 0.1 * size : 1;
+    low -= room;
+    high += room;
+  }
+  const double step = tick_step(low, high, most);
+  low = step * std::floor(low / step + 1e-9);
+  high = step * std::ceil(high / step - 1e-9);
+  return {low, high, false};
+}
+
+/// Draws in the plotted area of one chart.
+class ChartPainter {
+ public:
+  ChartPainter(Canvas& canvas, const Frame& frame, const Chart& chart)
+      : canvas_(canvas),
+        chart_(chart),
+        scale_(canvas.width() / 1600.0),
+        area_{frame.left + 120 * scale_, frame.bottom + 80 * scale_, frame.right - 30 * scale_,
+              frame.top - 20 * scale_},
+        x_(choose_axis(chart, &Curve::x, chart.logarithmic_x, 6)),
+        y_(choose_axis(chart, &Curve::y, false, 6)) {}
+
+  void draw() {
+    draw_axes();
+    for (const Curve& curve : chart_.curves) draw_curve(curve);
+    draw_legend();
+  }
+
+ private:
+  Pixel place(double x, double y) const {
+    return {area_.left + (area_.right - area_.left) * x_.share(x),
+            area_.bottom + (area_.top - area_.bottom) * y_.share(y)};
+  }
+
+  void rule(Pixel a, Pixel b, Colour colour, double thickness) {
+    const Frame all{0, 0, canvas_.width() - 1.0, canvas_.height() - 1.0};
+    canvas_.line({a, b}, all, colour, thickness * scale_);
+  }
+
+  void draw_axes() {
+    const double s = scale_;
+    for (const double value : ticks(x_, 6)) {
+      const double x = place(value, y_.low).x;
+      rule({x, area_.bottom}, {x, area_.top}, pale, 1.2);
+      canvas_.text({x, area_.bottom - 10 * s}, tick_text(value), text_size * s, Anchor::middle,
+                   Anchor::high);
+    }
+    for (const double value : ticks(y_, 6)) {
+      const double y = place(x_.low, value).y;
+      rule({area_.left, y}, {area_.right, y}, pale, 1.2);
+      canvas_.text({area_.left - 10 * s, y}, tick_text(value), text_size * s, Anchor::high,
+                   Anchor::middle);
+    }
+    const Pixel corners[5] = {{area_.left, area_.bottom},
+                              {area_.right, area_.bottom},
+                              {area_.right, area_.top},
+                              {area_.left, area_.top},
+                              {area_.left, area_.bottom}};
+    for (int i = 0; i < 4; ++i) rule(corners[i], corners[i + 1], ink, 1.8);
+    canvas_.text({0.5 * (area_.left + area_.right), area_.bottom - 44 * s}, chart_.x_label,
+                 (text_size + 2) * s, Anchor::middle, Anchor::high);
+    canvas_.text({area_.left - 84 * s, 0.5 * (area_.bottom + area_.top)}, chart_.y_label,
+                 (text_size + 2) * s, Anchor::middle, Anchor::high, false, true);
+  }
+
+  void draw_curve(const Curve& curve) {
+    std::vector<Pixel> points;
+    for (std::size_t i = 0; i < curve.x.size(); ++i) {
+      if (x_.logarithmic && !(curve.x[i] > 0)) continue;
+      points.push_back(place(curve.x[i], curve.y[i]));
+    }
+    if (points.empty()) return;
+    canvas_.line(points, area_, curve.colour, curve.thickness * scale_,
+                 curve.dashed ? 11 * scale_ : 0);
+    if (curve.start) canvas_.dot(points.front(), 7 * scale_, curve.colour);
+  }
+
+  void draw_legend() {
+    const double s = scale_;
+    double y = area_.top - 26 * s;
+    for (const Curve& curve : chart_.curves) {
+      if (curve.name.empty()) continue;
+      const double x = area_.left + 18 * s;
+      canvas_.line({{x, y}, {x + 44 * s, y}}, area_, curve.colour, curve.thickness * s,
+                   curve.dashed ? 11 * s : 0);
+      canvas_.text({x + 54 * s, y}, curve.name, text_size * s, Anchor::low, Anchor::middle);
+      y -= 30 * s;
+    }
+  }
+
+  Canvas& canvas_;
+  const Chart& chart_;
+  double scale_;
+  Frame area_;
+  Axis x_, y_;
+};
+
+}  // namespace
+
+void draw_chart(Canvas& canvas, const Frame& frame, const Chart& chart) {
+  ChartPainter(canvas, frame, chart).draw();
+}
+
+Canvas draw_page(const std::string& title, const std::string& subtitle,
+                 const std::vector<Chart>& charts) {
+  constexpr int width = 1600, row_height = 560, head = 110;
+  const int rows = static_cast<int>((charts.size() + 1) / 2);
+  Canvas canvas(width, head + rows * row_height + 20);
+  const double top = canvas.height() - 24;
+  canvas.text({60, top}, title, 34, Anchor::low, Anchor::high, true);
+  canvas.text({60, top - 46}, subtitle, 24, Anchor::low, Anchor::high);
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const double left = 20 + 780.0 * static_cast<double>(i % 2);
+    const double upper = canvas.height() - head - row_height * static_cast<double>(i / 2);
+    draw_chart(canvas, {left, upper - row_height + 10, left + 780, upper}, charts[i]);
+  }
+  return canvas;
+}
+
+}  // namespace scree

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postproc/plot/canvas.hpp"
+
+namespace scree {
+
+/// A line in a chart.
+struct Curve {
+  std::vector<double> x, y;
+  Colour colour{0.0, 0.33, 0.65};
+  double thickness = 3;  ///< in pixels of a page 1600 wide
+  bool dashed = false;
+  bool start = false;  ///< a dot at the first point
+  bool frames = true;  ///< counts when the axes' ranges are chosen
+  std::string name;    ///< in the legend; empty: not there
+};
+
+/// A diagram with two axes.
+struct Chart {
+  std::string x_label, y_label;
+  bool logarithmic_x = false;  ///< only with positive x
+  std::vector<Curve> curves;
+};
+
+/// Draws a chart, axes and labels included, into a frame of the canvas.
+void draw_chart(Canvas& canvas, const Frame& frame, const Chart& chart);
+
+/// A page with a title over charts, two a row.
+Canvas draw_page(const std::string& title, const std::string& subtitle,
+                 const std::vector<Chart>& charts);
+
+}  // namespace scree

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decks with initial stress and pore water: what is refused, with which sentence, and what a run
+// gets.
+#include <cmath>
+
+#include "app/build_simulation.hpp"
+#include "solver/deck/initial_stress.hpp"
+#include "verification/unit/broken_deck.hpp"
+
+namespace scree::testing_decks {
+namespace {
+
+/// The good deck whose body has this initial stress; other lines as --set.
+std::string stressed(const std::string& stress) {
+  return with_line(22,
+                   "shape = { type = \"box\", lower = [0.0, 0.0], upper = [0.1, 0.2] }\n"
+                   "initial_stress = " +
+                       stress);
+}
+
+std::string report_of(const std::string& stress, const std::vector<std::string>& set = {}) {
+  return problems_of(stressed(stress), set);
+}
+
+const char* const at_rest = R"~({ type = "geostatic", surface = 0.2 })~";
+
+TEST(DeckInitialStress, GeostaticNeedsNoMoreThanItsSurface) { EXPECT_EQ(report_of(at_rest), ""); }
+
+TEST(DeckInitialStress, ValueHasThreeEntries) {
+  EXPECT_EQ(report_of(R"~({ type = "uniform", value = [0, 0] })~"),
+            "deck.toml:23:46: body.column.initial_stress.value = [0, 0]: has 2 entries; allowed: 3 "
+            "numbers\n");
+}
+
+TEST(DeckInitialStress, ParticlesAboveTheSurface) {
+  EXPECT_EQ(report_of(R"~({ type = "geostatic", surface = 0.15, k0 = 0.5 })~"),
+            "deck.toml:23:50: body.column.initial_stress.surface = 0.15: a particle lies 0.04917 m "
+            "above it; move the surface to the top of the body, or cut the body there\n");
+}
+
+TEST(DeckInitialStress, GravityAlongAnAxisAtTheStart) {
+  const std::string expected =
+      "deck.toml:23:18: body.column.initial_stress = { type = \"geostatic\", surface = 0.2 }: "
+      "geostatic stress needs a method.gravity that is along one axis at t = 0; set "
+      "method.gravity, or use type = \"uniform\"\n";
+  EXPECT_EQ(report_of(at_rest, {"method.gravity=[1, -9.81]"}), expected);
+  EXPECT_EQ(report_of(at_rest, {"method.gravity=[0, 0]"}), expected);
+  EXPECT_EQ(report_of(at_rest, {"method.gravity=[0, \"-9.81*t\"]"}), expected);
+  EXPECT_EQ(report_of(at_rest, {"method.gravity=[\"sin(t)\", \"-9.81*cos(t)\"]"}), "");
+}
+
+TEST(DeckInitialStress, OutsideTheYieldSurfaceNamesWhatIsInside) {
+  // Plane strain match, psi = 0: M = sqrt(3) sin phi; K0 from q = M p: (1 - k) 3 = M (1 + 2 k).
+  const double M = std::sqrt(3) * std::sin(31 * std::acos(-1) / 180);
+  const double lowest = (3 - M) / (3 + 2 * M), highest = (3 + M) / (3 - 2 * M);
+  const std::string report = report_of(R"~({ type = "geostatic", surface = 0.2, k0 = 0.2 })~");
+  EXPECT_EQ(report.rfind("deck.toml:23:18: body.column.initial_stress = ", 0), 0u) << report;
+  EXPECT_NE(report.find("model drucker_prager has no elastic state with the stress"),
+            std::string::npos)
+      << report;
+  const std::string phrase = "allowed: k0 of ";
+  const std::size_t at = report.find(phrase);
+  ASSERT_NE(at, std::string::npos) << report;
+  double low = 0, high = 0;
+  ASSERT_EQ(std::sscanf(report.c_str() + at + phrase.size(), "%lf to %lf", &low, &high), 2);
+  EXPECT_NEAR(low / lowest, 1, 2e-3);  // printed with four digits, searched to 1e-4
+  EXPECT_NEAR(high / highest, 1, 2e-3);
+  EXPECT_EQ(report_of(R"~({ type = "geostatic", surface = 0.2, k0 = )~" +
+                      std::to_string(low * 1.01) + " }"),
+            "");
+}
+
+TEST(DeckInitialStress, SandCarriesNoTension) {
+  const std::string report = report_of(R"~({ type = "uniform", value = [100, 100, 100] })~");
+  EXPECT_EQ(report,
+            "deck.toml:23:46: body.column.initial_stress.value = [100, 100, 100]: model "
+            "drucker_prager has no elastic state with the stress [100, 100, 100] Pa; allowed: "
+            "stresses inside the yield surface, of a kind that the law carries; change the stress "
+            "or the strength of the material\n");
+  EXPECT_EQ(report_of(R"~({ type = "uniform", value = [100, 100, 100] })~",
+                      {"material.sand.cohesion=\"1 kPa\""}),
+            "");
+}
+
+TEST(DeckInitialStress, AllProblemsAtOnce) {
+  const std::string report =
+      report_of(R"~({ type = "geostatic", surface = 0.1 })~",
+                {"boundary.x_min=\"slippery\"", "output.fields=[\"stres\"]"});
+  EXPECT_NE(report.find("above it"), std::string::npos) << report;
+  EXPECT_NE(report.find("boundary.x_min"), std::string::npos) << report;
+  EXPECT_NE(report.find("did you mean \"stress\"?"), std::string::npos) << report;
+}
+
+TEST(DeckInitialStress, RunsGetTheWeightAboveEveryParticle) {
+  Problems problems;
+  const Deck deck = read_deck_text(stressed(at_rest), "deck.toml", {}, problems);
+  ASSERT_TRUE(problems.empty()) << problems.text();
+  const auto simulation = Simulation::create(build_setup(deck));
+  const auto snapshot = simulation->particles({"stress"});
+  const double rest = 1 - std::sin(31 * std::acos(-1) / 180);  // the model's k0
+  for (std::size_t p = 0; p < snapshot.id.size(); ++p) {
+    const double vertical = -1600 * 9.81 * (0.2 - snapshot.position[3 * p + 1]);
+    const double* stress = &snapshot.fields[0].values[9 * p];
+    const double rounding = 1e-15 * 2e6;  // of the stretch, times the stiffness, some roundings
+    EXPECT_NEAR(stress[4], vertical, 1e-12 * 3200 + 4 * rounding);
+    EXPECT_NEAR(stress[0], rest * vertical, 1e-12 * 3200 + 4 * rounding);
+    EXPECT_NEAR(stress[8], rest * vertical, 1e-12 * 3200 + 4 * rounding);
+  }
+}
+
+TEST(DeckInitialStress, GravityMayPointUpOrAside) {
+  Problems problems;
+  const Deck deck =
+      read_deck_text(stressed(R"~({ type = "geostatic", surface = -0.1, k0 = 0.7 })~"), "deck.toml",
+                     {"method.gravity=[5, 0]"}, problems);
+  ASSERT_TRUE(problems.empty()) << problems.text();
+  const InitialStress field(deck, deck.bodies[0], deck.materials[0]);
+  const double x[3] = {0.05, 0.1, 0};
+  EXPECT_EQ(field.axis(), 0);
+  EXPECT_NEAR(field.at(x)[0], -1600 * 5 * 0.15, 1e-9);
+  EXPECT_NEAR(field.at(x)[1], -0.7 * 1600 * 5 * 0.15, 1e-9);
+}
+
+TEST(DeckPoreWater, FluidsCannotHaveIt) {
+  const std::string fluid =
+      "model = \"j_fluid\"\nbulk_modulus = 1e6\ngamma = 7\ndensity = 1000\n"
+      "undrained_bulk_modulus = 1e6";
+  std::string deck = with_line(15, fluid);
+  for (const char* line : {"density = 1600\n", "youngs_modulus = \"2 MPa\"\n",
+                           "poissons_ratio = 0.3\n", "friction_angle = \"31 deg\"\n"}) {
+    deck.erase(deck.find(line), std::string(line).size());
+  }
+  const std::string report = problems_of(deck);
+  EXPECT_EQ(
+      report.rfind("deck.toml:19:26: material.sand.undrained_bulk_modulus = 1e6: does not "
+                   "belong to model = \"j_fluid\"; allowed: model, density; remove it, or set "
+                   "model to fixed_corotated or ",
+                   0),
+      0u)
+      << report;
+}
+
+TEST(DeckPoreWater, IsPositive) {
+  EXPECT_EQ(problems_of(with_line(19, "friction_angle = \"31 deg\"\nundrained_bulk_modulus = 0")),
+            "deck.toml:20:26: material.sand.undrained_bulk_modulus = 0: is too small; allowed: "
+            "above 0 Pa\n");
+}
+
+TEST(DeckPoreWater, ItsFieldsExistWithItOnly) {
+  const std::vector<std::string> fields{"output.fields=[\"pore_pressure\", \"effective_stress\"]"};
+  EXPECT_NE(problems_of(good_deck, fields), "");
+  const std::string wet =
+      with_line(19, "friction_angle = \"31 deg\"\nundrained_bulk_modulus = \"2 GPa\"");
+  EXPECT_EQ(problems_of(wet, fields), "");
+  Problems problems;
+  const Deck deck = read_deck_text(wet, "deck.toml", fields, problems);
+  const auto simulation = Simulation::create(build_setup(deck));
+  EXPECT_EQ(simulation->particles(deck.output.fields).fields[0].values[0], 0);
+  EXPECT_NE(resolved_toml(deck).find("undrained_bulk_modulus = 2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace scree::testing_decks
