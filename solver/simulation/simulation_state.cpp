@@ -41,7 +41,7 @@ void load_particles(const StateReader& reader, const std::string& name,
   const auto counts = reader.get<std::int32_t>(name + "/block_counts");
   const auto ids = reader.get<std::int64_t>(name + "/ids");
   const auto records = reader.get<T>(name + "/records");
-  const std::size_t stride = std::size_t(store.fields() + store.aux_fields());
+  const std::size_t stride = std::size_t(store.fields()) + std::size_t(store.aux_fields());
   if (keys.size() != counts.size() || records.size() != ids.size() * stride) {
     throw RunFault("the checkpoint's particles of " + name + " do not match this deck");
   }

@@ -23,6 +23,7 @@ namespace {
   dup2(open(err.c_str(), flags, 0600), STDERR_FILENO);
   in_child();
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& argument : command) {
     arguments.push_back(const_cast<char*>(argument.c_str()));
   }
