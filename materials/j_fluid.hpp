@@ -95,12 +95,19 @@ struct JFluid {
     return detail::plus_diagonal(s.strain_rate * (J * (T(2) * p.viscosity)), -(J * pressure));
   }
 
-  /// Sound: rho c^2 = -J dp/dJ, hence rho0 c^2 = B gamma J^(1 - gamma). (Viscosity limits the time
-  /// step by diffusion, not through a speed.)
+  /// Sound: rho c^2 = -J dp/dJ, hence rho0 c^2 = B gamma J^(1 - gamma). Viscosity limits the step
+  /// by diffusion, not through a speed: see momentum_diffusivity().
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
     const V j = max(s.volume_strain, broadcast<V>(p.lowest));
     return exp((T(0.5) * (T(1) - p.gamma)) * log1p(j)) * sqrt(p.bulk * p.gamma / p.density);
+  }
+
+  /// Of longitudinal motion, the fastest: 2 eta/rho, for the viscous stress is not a deviator.
+  template <class V, class T>
+  SCREE_FN static V momentum_diffusivity(const Params<T>& p, const State<V>& s) {
+    const V J = max(s.volume_strain + T(1), broadcast<V>(T(0)));
+    return (T(2) * p.viscosity / p.density) * J;
   }
 
   /// Integral of -p dJ from J = 1: B ((J^(1-gamma) - 1)/(gamma - 1) + J - 1), and B (J - 1 - ln J)

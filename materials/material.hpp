@@ -54,9 +54,10 @@ struct StateField {
 ///         fault.
 ///
 /// Optional: `V yield_value(const Params<T>&, const State<V>&)`, the yield function over a scale of
-/// stress, at most 0 inside; `V void_ratio(...)`; and the constants `effective_stress` (may carry
-/// pore water), `hyperelastic = false` (the elastic stress is no derivative of energy_density) and
-/// `explicit_hardening = true` (the yield surface moves after the return).
+/// stress, at most 0 inside; `V void_ratio(...)`; `V momentum_diffusivity(...)` [m^2/s] of a law
+/// with explicit viscosity, which limits the time step; and the constants `effective_stress` (may
+/// carry pore water), `hyperelastic = false` (the elastic stress is no derivative of
+/// energy_density) and `explicit_hardening = true` (the yield surface moves after the return).
 template <class M>
 concept Material = requires(const typename M::Input& input) {
   { M::name } -> std::convertible_to<const char*>;
@@ -81,6 +82,19 @@ struct LameConstants {
 inline LameConstants lame_constants(double youngs_modulus, double poissons_ratio) {
   const double nu = poissons_ratio;
   return {youngs_modulus * nu / ((1 + nu) * (1 - 2 * nu)), youngs_modulus / (2 * (1 + nu))};
+}
+
+/// Speed [m/s] by which an explicit viscosity shortens the step: with dt <= cfl dx/(c + |v| + 2 d
+/// D/dx), dt stays below cfl dx^2/(2 d D), the limit of explicit diffusion times cfl. d: dimension,
+/// D: momentum diffusivity [m^2/s]. 0 for laws without one.
+template <class M, class V, class T>
+SCREE_FN V diffusion_speed(const typename M::template Params<T>& params,
+                           const typename M::template State<V>& state, int dimension, T cell_size) {
+  if constexpr (requires { M::momentum_diffusivity(params, state); }) {
+    return M::momentum_diffusivity(params, state) * (T(2 * dimension) / cell_size);
+  } else {
+    return broadcast<V>(T(0));
+  }
 }
 
 namespace detail {

@@ -78,17 +78,18 @@ struct Newtonian {
   }
 
   /// Sound: rho c^2 = -J dp/dJ, hence rho0 c^2 = K J^(1 - gamma). Viscosity limits the step by
-  /// diffusion, not through a speed: see viscosity().
+  /// diffusion, not through a speed: see momentum_diffusivity().
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
     const V j = max(s.volume_strain, broadcast<V>(p.lowest));
     return exp((T(0.5) * (T(1) - p.gamma)) * log1p(j)) * sqrt(p.bulk / p.density);
   }
 
-  /// Kinematic viscosity eta/rho [m^2/s] at the present density.
+  /// Of longitudinal motion, the fastest: 4/3 eta/rho.
   template <class V, class T>
-  SCREE_FN static V viscosity(const Params<T>& p, const State<V>& s) {
-    return (p.viscosity / p.density) * max(s.volume_strain + T(1), broadcast<V>(T(0)));
+  SCREE_FN static V momentum_diffusivity(const Params<T>& p, const State<V>& s) {
+    const V J = max(s.volume_strain + T(1), broadcast<V>(T(0)));
+    return (T(4.0 / 3.0) * p.viscosity / p.density) * J;
   }
 
   /// Integral of -p dJ from J = 1: K/gamma ((J^(1-gamma) - 1)/(gamma - 1) + J - 1), and K (J - 1 -

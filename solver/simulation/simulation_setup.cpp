@@ -157,7 +157,8 @@ void SimulationImpl<D, T>::add_body(const BodySetup& setup, std::int32_t index) 
   state.body = make_body<D, T>(info, setup.input);
   state.body->store().resize_aux(layout_.total);
   place_particles(setup, state);
-  bounds_.max_signal = std::max(bounds_.max_signal, state.body->initial_wave_speed());
+  bounds_.max_signal =
+      std::max(bounds_.max_signal, state.body->initial_signal_speed(setup_.cell_size));
   if (setup_.keep_reference) {
     reference_.insert(reference_.end(), setup.position.begin(), setup.position.end());
   }

@@ -52,8 +52,9 @@ class Body {
   virtual void g2p2g(Executor&, const PassData<D, T>&, const Blocks&, KernelType) const = 0;
   /// Material update over blocks, from the stored dt grad v.
   virtual void stress(Executor&, const PassData<D, T>&, const Blocks&) const = 0;
-  /// Safe bound of the wave speed of the undeformed material, with its pore water [m/s].
-  virtual double initial_wave_speed() const = 0;
+  /// Safe bound of the wave speed of the undeformed material [m/s], with its pore water and with
+  /// what its viscosity adds at this cell size [m].
+  virtual double initial_signal_speed(double cell_size) const = 0;
   /// For the first `active` particles of a batch: total volume ratio J and elastic energy per
   /// reference volume, that of the pore water included [J/m^3].
   virtual void evaluate(const T* batch, int active, double* volume_ratio,

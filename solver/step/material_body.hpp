@@ -67,11 +67,12 @@ class MaterialBody final : public Body<D, T> {
                            [&](auto& group) { stress_block<Material>(group, data, params_); });
   }
 
-  double initial_wave_speed() const override {
+  double initial_signal_speed(double cell_size) const override {
     const auto state = Material::template initial<double>(exact_);
+    const double diffusion = diffusion_speed<Material, double, double>(exact_, state, D, cell_size);
     const double speed = Material::wave_speed(exact_, state);
     const BodyInfo& info = this->info();
-    if (!has_water(info)) return speed;
+    if (!has_water(info)) return speed + diffusion;
     return pore_water::wave_speed(speed, Material::volume_ratio(exact_, state),
                                   info.undrained_bulk_modulus, info.density);
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "materials/material.hpp"
 #include "materials/pore_water.hpp"
 #include "solver/base/tensor.hpp"
 #include "solver/step/pass_data.hpp"
@@ -186,7 +187,8 @@ SCREE_FN Sym3<V> update_material(G& g, const typename G::Batch& b, const PassPar
   }
   V square = velocity[0] * velocity[0];
   for (int c = 1; c < D; ++c) square = square + velocity[c] * velocity[c];
-  g.note_signal(active, wave_speed + sqrt(square));
+  const V diffusion = diffusion_speed<Material, V, T>(material, state, D, par.cell_size);
+  g.note_signal(active, wave_speed + sqrt(square) + diffusion);
   return tau;
 }
 
