@@ -147,8 +147,9 @@ void write_aside_and_rename(vtkXMLWriter& writer, vtkDataSet& data, const fs::pa
   writer.GetExecutive()->AddObserver("ErrorEvent", silence);
   writer.SetFileName(temporary.c_str());
   writer.SetInputDataObject(&data);
-  writer.SetDataModeToAppended();
-  writer.EncodeAppendedDataOff();
+  // Arrays in place, base64. Appended ones are a quarter smaller, but the ParaView of an updated
+  // Debian 12 cannot read them: libexpat 2.5.0-1+deb12u2 parses ahead into data that is not XML.
+  writer.SetDataModeToBinary();
   writer.SetCompressorTypeToNone();
   writer.SetHeaderTypeToUInt64();
   errno = 0;
