@@ -16,6 +16,7 @@ namespace scree::testing {
 struct Worst {
   double error = 0;
   int samples = 0;
+  int large = 0;  ///< errors above 1e-4
   void add(double e);
   void add(const Worst& other);
 };
@@ -51,7 +52,8 @@ Worst small_strain(const Family& family, const std::any& input, MatrixSource& so
 /// After strong and degenerate increments, with floating-point exceptions trapped.
 struct Returned {
   Worst repeated;   ///< change of stress and state when the return is repeated
-  Worst outside;    ///< yield value above 0
+  Worst outside;    ///< yield value above 0; not of laws with explicit hardening, whose
+                    ///< surface moves after the return by the size of the step
   int flowing = 0;  ///< samples whose elastic part is not (I + L) F
 };
 template <class T>
@@ -62,11 +64,12 @@ bool refuses(const Law& law, const Eigen::Matrix3d& f);
 /// The entry equivalent_plastic_strain against sqrt(2/3) |deviator of the plastic strain
 /// increment| from the elastic gradients; no samples where a law lacks one of them.
 Worst plastic_strain(const Law& law, MatrixSource& source, int count);
-/// Differences of the final stress between 16, 32 and 64 steps over the stiffness, mean of paths.
+/// Differences of the final stress between n and 2 n, 2 n and 4 n steps, over the stiffness, mean
+/// of paths.
 struct Halving {
   double coarse = 0, fine = 0;
 };
-Halving halving(const Law& law, MatrixSource& source, int paths);
+Halving halving(const Law& law, MatrixSource& source, int paths, int n = 32);
 
 // ---- numbers (checks_numbers.cpp) ----
 

@@ -8,11 +8,13 @@ namespace scree::testing {
 void Worst::add(double e) {
   error = std::isnan(e) ? std::numeric_limits<double>::infinity() : std::max(error, e);
   ++samples;
+  large += !(e <= 1e-4);
 }
 
 void Worst::add(const Worst& other) {
   error = std::max(error, other.error);
   samples += other.samples;
+  large += other.large;
 }
 
 Worst change_without_strain(const Law& law, MatrixSource& source, int count) {

@@ -40,14 +40,6 @@ Sym3<double> to_double(const Sym3<T>& a) {
   return {double(a.xx), double(a.xy), double(a.xz), double(a.yy), double(a.yz), double(a.zz)};
 }
 
-/// The stress of `state` with the history of `before`.
-template <class T>
-Entries<T> on_old_surface(const Law& law, const Entries<T>& state, Entries<T> before) {
-  const int first = law.first_entry("deformation_gradient");
-  std::copy_n(state.begin() + first, 9, before.begin() + first);
-  return before;
-}
-
 template <class T>
 Eigen::Matrix3d gradient_of(const Law& law, const Entries<T>& state) {
   const int first = law.first_entry("deformation_gradient");
@@ -73,7 +65,6 @@ Returned strong_returns(const Law& law, MatrixSource& source, int count) {
   Returned result;
   for (int n = 0; n < count; ++n) {
     Entries<T> state = some_state(point, source);
-    const Entries<T> begin = state;
     const Eigen::Matrix3d before = solid ? gradient_of(law, state) : Eigen::Matrix3d::Zero();
     const auto L = from_eigen<T>(strong_gradient(source) - Eigen::Matrix3d::Identity());
     const Sym3<T> first = point.kirchhoff(state, L, T(0.01));
@@ -87,9 +78,8 @@ Returned strong_returns(const Law& law, MatrixSource& source, int count) {
     const double scale = std::max({law.stiffness, size, std::min(stiffness, 1e300)});
     result.repeated.add(numbers ? norm(to_double(second) - to_double(first)) / scale : NAN);
     result.repeated.add(distance_of_entries(to_double(state), to_double(again)));
-    const auto yield =
-        point.yield_value(law.explicit_hardening ? on_old_surface(law, state, begin) : state);
-    if (!yield) continue;
+    const auto yield = point.yield_value(state);
+    if (!yield || law.explicit_hardening) continue;
     result.outside.add(std::max(double(*yield), 0.0) / (1 + size / law.stiffness));
     const Eigen::Matrix3d trial = before + to_eigen(L) * before;
     result.flowing += solid && (gradient_of(law, state) - trial).norm() > 1e-4;
@@ -128,9 +118,9 @@ Worst plastic_strain(const Law& law, MatrixSource& source, int count) {
   return worst;
 }
 
-Halving halving(const Law& law, MatrixSource& source, int paths) {
+Halving halving(const Law& law, MatrixSource& source, int paths, int n) {
   Halving result;
-  for (int n = 0; n < paths; ++n) {
+  for (int path_count = 0; path_count < paths; ++path_count) {
     const double compression = std::pow(10, source.uniform(-3, -1.5));
     const Path path = one_way(source, 0.03);
     const auto final_stress = [&](int steps) {
@@ -139,7 +129,7 @@ Halving halving(const Law& law, MatrixSource& source, int paths) {
       follow(law, state, path, steps);
       return stress_at_rest(law, state);
     };
-    const Sym3<double> a = final_stress(16), b = final_stress(32), c = final_stress(64);
+    const Sym3<double> a = final_stress(n), b = final_stress(2 * n), c = final_stress(4 * n);
     result.coarse += norm(a - b) / (law.stiffness + norm(c)) / paths;
     result.fine += norm(b - c) / (law.stiffness + norm(c)) / paths;
   }

@@ -30,16 +30,17 @@ INSTANTIATE_TEST_SUITE_P(List, EveryLawInLanes, ::testing::ValuesIn(family_names
                          [](const auto& info) { return info.param; });
 
 // Lanes and scalars run the same operations and differ only by the compiler's choice of fused
-// multiply-adds: a few hundred roundings, amplified by products of stretches up to 3.
+// multiply-adds: roundings amplified by products of stretches up to 3, and in rates of strain by
+// 1/dt = 100. 5e-13 are 2000 units in the last place, 3e-4 as many in float.
 TEST_P(EveryLawInLanes, EqualScalarsInDouble) {
   const Worst worst = worst_of_widths<double>();
-  EXPECT_LE(worst.error, 1e-13);
+  EXPECT_LE(worst.error, 5e-13);
   EXPECT_GT(worst.samples, 500);
 }
 
 TEST_P(EveryLawInLanes, EqualScalarsInFloat) {
   const Worst worst = worst_of_widths<float>();
-  EXPECT_LE(worst.error, 5e-5);
+  EXPECT_LE(worst.error, 3e-4);
   EXPECT_GT(worst.samples, 500);
 }
 
