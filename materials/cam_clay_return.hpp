@@ -74,16 +74,18 @@ SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTria
   CamClayEnd<V> end{trial.ratio, one, zero, zero};
   const MaskOf<V> apart = trial.log_ratio <= T(cam_clay_apart);
   end.keep = select(apart, zero, one);
-  const V square = trial.shear * trial.shear;
-  const MaskOf<V> outside = square > (m * m) * trial.ratio * (T(1) - trial.ratio);
-  const MaskOf<V> yields = (outside | (trial.log_ratio > T(0))) & !apart;
+  // t on the surface at the trial pressure. 1 - p/pc would cancel near the p axis, where this root
+  // turns an error e of ln(p/pc) into sqrt(e): the trial state is compared with the very number that
+  // bounds the bracket below, or a state on the surface within rounding would be sent to that bound.
+  const V start = sqrt(max(expm1(-trial.log_ratio), zero));
+  const V found = trial.shear / (m * trial.ratio);
+  const MaskOf<V> yields = ((found > start) | (trial.log_ratio > T(0))) & !apart;
   if (!any(yields)) return end;
   const V h = (T(2) * (lambda - kappa) / m) * trial.three_shear / trial.volume;
   detail::CamClayEquation<V, T> g{
       m, kappa / lambda, trial.log_ratio, trial.shear, h, zero, zero, zero, zero};
-  const V start = sqrt(max(expm1(-trial.log_ratio), zero));
   V lower = min(start, one), upper = max(start, one);
-  V t = min(max(trial.shear / (m * trial.ratio), lower), upper);
+  V t = min(max(found, lower), upper);
   MaskOf<V> active = yields;
   // Newton converges quadratically: an error e leaves about e^2. Bisection alone would need the
   // digits of T and those of the widest bracket, about 80 steps.

@@ -138,6 +138,15 @@ bool ends_with_closing_tag(const fs::path& path) {
   return in && tail == tag;
 }
 
+/// Whether the disk has room for the head of a frame. VTK 9.1 crashes when it cannot write the head
+/// of a file with arrays in place; a failure in the data it survives.
+bool room_for_head(const fs::path& path) {
+  std::ofstream out(path, std::ios::binary);
+  out << std::string(std::size_t(1) << 16, ' ');
+  out.close();
+  return bool(out);
+}
+
 void write_aside_and_rename(vtkXMLWriter& writer, vtkDataSet& data, const fs::path& path) {
   const fs::path temporary = aside(path);
   // VTK's words are for programmers: an observer keeps them off the terminal.
@@ -153,7 +162,7 @@ void write_aside_and_rename(vtkXMLWriter& writer, vtkDataSet& data, const fs::pa
   writer.SetCompressorTypeToNone();
   writer.SetHeaderTypeToUInt64();
   errno = 0;
-  const int written = writer.Write();
+  const int written = room_for_head(temporary) ? writer.Write() : 0;
   const int error = errno;
   if (written == 0 || writer.GetErrorCode() != 0 || !ends_with_closing_tag(temporary)) {
     std::error_code ignored;

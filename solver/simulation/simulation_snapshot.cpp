@@ -44,6 +44,7 @@ constexpr BuiltInField built_in_fields[] = {
 struct FieldSource {
   FieldQuantity quantity = FieldQuantity::state;
   std::vector<int> first;  ///< state: per body, first entry of the column; -1 = the body has none
+  bool symmetric = false;  ///< state: six entries that go out as nine components
 };
 
 /// Cauchy stress is Kirchhoff stress over J, total where there is pore water; pressure is that of
@@ -81,6 +82,10 @@ void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInf
   }
 }
 
+/// Where the components of a 3x3 tensor, row-major, lie among xx, xy, xz, yy, yz, zz. Viewers order
+/// six components otherwise, so all tensors go out whole.
+constexpr int symmetric_entry[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+
 /// The field `name`, empty, and where its values come from. Throws UserError for an unknown name.
 template <int D, class T>
 FieldSource find_field(const std::vector<BodyState<D, T>>& bodies, const std::string& name,
@@ -100,7 +105,8 @@ FieldSource find_field(const std::vector<BodyState<D, T>>& bodies, const std::st
     for (const StateColumn& column : state.body->columns()) {
       if (column.name != name) continue;
       field.unit = column.unit;
-      field.components = column.components;
+      source.symmetric = column.components == 6;
+      field.components = source.symmetric ? 9 : column.components;
       source.first.back() = column.first;
     }
   }
@@ -167,7 +173,8 @@ ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>&
         if (first < 0) continue;
         const T* entries = state.body->store().batch(p.batch) + p.lane;
         for (std::size_t c = 0; c < components; ++c) {
-          value[c] = double(entries[(std::size_t(D + first) + c) * ParticleStore<D, T>::width]);
+          const int entry = first + (sources[f].symmetric ? symmetric_entry[c] : int(c));
+          value[c] = double(entries[std::size_t(D + entry) * ParticleStore<D, T>::width]);
         }
       }
     };

@@ -286,6 +286,7 @@ TEST(DeckFile, EveryDeckOfTheProjectIsGoodAndRoundTrips) {
   int count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(SCREE_SOURCE_DIR "/inputs")) {
     if (entry.path().extension() != ".toml") continue;
+    if (entry.path().parent_path().filename() == "element") continue;  // another kind of deck
     ++count;
     Problems problems;
     const Deck deck = read_deck(entry.path().string(), {}, problems);

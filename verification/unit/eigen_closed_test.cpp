@@ -43,12 +43,15 @@ class EigenClosedTest : public ::testing::Test {
         SymEigen<T> one{{}, testing::lane_of(result.vectors, i)};
         for (int k = 0; k < 3; ++k) one.values[k] = lane(result.values[k], i);
         ASSERT_NO_FATAL_FAILURE(check(a, one, tolerance));
-        // The order of nearly equal values may differ by a rounding: compare them sorted.
+        // The order of nearly equal values may differ by a rounding: compare them sorted. The
+        // compiler fuses products and sums differently in scalar and vector code, so the two agree
+        // as well as each agrees with the exact values.
         Vec3<T> scalar = eigen_symmetric_closed(a).values;
         std::sort(scalar.v, scalar.v + 3);
         std::sort(one.values.v, one.values.v + 3);
         for (int k = 0; k < 3; ++k) {
-          ASSERT_NEAR(scalar[k], one.values[k], 4 * double(epsilon<T>) * to_eigen(a).norm());
+          ASSERT_NEAR(scalar[k], one.values[k],
+                      tolerance * double(epsilon<T>) * to_eigen(a).norm());
         }
       }
     }
