@@ -74,9 +74,9 @@ SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTria
   CamClayEnd<V> end{trial.ratio, one, zero, zero};
   const MaskOf<V> apart = trial.log_ratio <= T(cam_clay_apart);
   end.keep = select(apart, zero, one);
-  // t on the surface at the trial pressure. 1 - p/pc would cancel near the p axis, where this root
-  // turns an error e of ln(p/pc) into sqrt(e): the trial state is compared with the very number that
-  // bounds the bracket below, or a state on the surface within rounding would be sent to that bound.
+  // t on the surface at the trial pressure. Near the p axis its root turns an error e of ln(p/pc)
+  // into sqrt(e). So the trial state yields if it is outside this very end of the bracket; with 1 -
+  // p/pc, which cancels there, states on the surface would be sent to sqrt(e).
   const V start = sqrt(max(expm1(-trial.log_ratio), zero));
   const V found = trial.shear / (m * trial.ratio);
   const MaskOf<V> yields = ((found > start) | (trial.log_ratio > T(0))) & !apart;
@@ -87,9 +87,11 @@ SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTria
   V lower = min(start, one), upper = max(start, one);
   V t = min(max(found, lower), upper);
   MaskOf<V> active = yields;
-  // Newton converges quadratically: an error e leaves about e^2. Bisection alone would need the
-  // digits of T and those of the widest bracket, about 80 steps.
+  // Newton converges quadratically: an error e leaves about e^2. A halved bracket has no such
+  // bonus: it ends at the rounding of T. Bisection alone would need the digits of T and those of
+  // the widest bracket, about 80 steps.
   constexpr T converged = sizeof(T) == 4 ? T(3e-5) : T(3e-9);
+  constexpr T rounding = sizeof(T) == 4 ? T(2.4e-7) : T(4.4e-16);
   for (int iteration = 0; iteration < 100 && any(active); ++iteration) {
     g.evaluate(t);
     const auto left = g.value > zero;
@@ -101,7 +103,8 @@ SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTria
     const V next = select(inside, min(max(newton, lower), upper), T(0.5) * (lower + upper));
     const V change = abs(next - t);
     t = select(active, next, t);
-    active = active & (change > converged * next);
+    active =
+        active & (change > select(inside, broadcast<V>(converged), broadcast<V>(rounding)) * next);
   }
   g.evaluate(t);
   const V shear = m * t * g.pressure;

@@ -211,14 +211,26 @@ struct ModifiedCamClay {
     return p.preconsolidation * exp(s.log_preconsolidation + s.log_volume_ratio);
   }
 
+  /// (I + L)(I + L)^T - I. In a large rotation L and L L^T cancel, and what is left is stiffness
+  /// over strength times as large in the stress: the fused products are spelt out, so that no
+  /// compiler rounds them in another order in lanes than in a scalar.
+  template <class V>
+  SCREE_FN static Sym3<V> stretch_growth(const Mat3<V>& L) {
+    const auto rows = [&L](int i, int j) {
+      const V linear = L(i, j) + L(j, i);
+      return mul_add(L(i, 0), L(j, 0),
+                     mul_add(L(i, 1), L(j, 1), mul_add(L(i, 2), L(j, 2), linear)));
+    };
+    return {rows(0, 0), rows(0, 1), rows(0, 2), rows(1, 1), rows(1, 2), rows(2, 2)};
+  }
+
   /// R s R^T + two_shear dev ln U with I + L = U R: both parts from the eigenproblem of (I + L)(I +
   /// L)^T - I, which is small with L, and added as increments, so that rounding does not pile up in
   /// a body at rest.
   template <class V>
   SCREE_FN static Sym3<V> turned_and_strained(const Sym3<V>& s, const Mat3<V>& L, V two_shear) {
     using T = Scalar<V>;
-    const Sym3<V> twice = sym(L) * broadcast<V>(T(2)) + symmetric_product(L);
-    const SymEigen<V> eigen = eigen_symmetric(twice);
+    const SymEigen<V> eigen = eigen_symmetric(stretch_growth(L));
     Vec3<V> strain, back;
     SCREE_UNROLL for (int i = 0; i < 3; ++i) {
       strain[i] = T(0.5) * log1p(max(eigen.values[i], broadcast<V>(T(-0.999999))));

@@ -106,15 +106,15 @@ struct Nacc {
     const Surface<V> surface(p, s.log_plastic_volume);
     // 2. Which return: case 1 and 2 of the paper bound J^2, case 3 lowers q at the same p.
     const V square = min(max(J * J, T(1) - T(2) * surface.right), T(1) + T(2) * surface.left);
-    const V from_centre = trial.p - surface.centre;
-    const V room = surface.half * surface.half - from_centre * from_centre;
+    const V from_left = trial.p + surface.left, from_right = surface.right - trial.p;
+    const V room = from_left * from_right;  // half^2 - (p - centre)^2, which cancels in a long one
     const V q_yield = p.slope * sqrt(max(room, broadcast<V>(T(0))));
     const auto moves = deforms(L);
-    const auto to_tip = (trial.p > surface.right) | (trial.p < -surface.left);
+    const auto to_tip = (from_left < T(0)) | (from_right < T(0));
     const auto to_side = moves & !to_tip & (trial.q > q_yield);
     const auto tip = moves & to_tip;
     // 3. Hardening.
-    const V harder = to_tip_or_ray(p, surface, trial, from_centre, J * J, square, tip);
+    const V harder = to_tip_or_ray(p, surface, trial, J * J, square, tip);
     const auto hardens = tip | (to_side & (room > T(0)));
     s.log_plastic_volume = s.log_plastic_volume + select(hardens, harder, T(0));
     // 4. New stretches; F <- U diag(S'/S) U^T F keeps its rotation, and is F itself without a
@@ -242,12 +242,14 @@ struct Nacc {
   /// never comes near.
   template <class V, class T>
   SCREE_FN static V to_tip_or_ray(const Params<T>& p, const Surface<V>& surface,
-                                  const Stress<V>& trial, V from_centre, V J2, V tip_square,
-                                  MaskOf<V> tip) {
-    const V a = p.slope * from_centre;
-    const V length2 = trial.q * trial.q + a * a;
-    const V shrink = p.slope * surface.half * rsqrt(max(length2, broadcast<V>(smallest<T>)));
-    const V pressure = surface.centre + shrink * from_centre;
+                                  const Stress<V>& trial, V J2, V tip_square, MaskOf<V> tip) {
+    const V from_centre = trial.p - surface.centre;
+    const V a = abs(p.slope * from_centre), q2 = trial.q * trial.q;
+    const V length = sqrt(max(q2 + a * a, broadcast<V>(smallest<T>)));
+    // From the nearer tip, half (1 - a/length): from the centre it would cancel in a long ellipse.
+    const V from_tip = surface.half * (q2 / (length * (length + a)));
+    const V pressure =
+        select(from_centre > T(0), surface.right - from_tip, from_tip - surface.left);
     const V side_square = max(T(1) - T(2) * pressure, T(0.01) * J2);
     return T(0.5) * (log(J2) - log(select(tip, tip_square, side_square)));
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/io/vtk_frame.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -10,6 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkPoints.h>
 #include <vtkSmartPointer.h>
 #include <vtkTypeInt32Array.h>
@@ -138,13 +142,34 @@ bool ends_with_closing_tag(const fs::path& path) {
   return in && tail == tag;
 }
 
-/// Whether the disk has room for the head of a frame. VTK 9.1 crashes when it cannot write the head
-/// of a file with arrays in place; a failure in the data it survives.
-bool room_for_head(const fs::path& path) {
-  std::ofstream out(path, std::ios::binary);
-  out << std::string(std::size_t(1) << 16, ' ');
-  out.close();
-  return bool(out);
+/// More than the file of this data will have: base64 makes 4 bytes of 3, and 17 bytes describe a
+/// cell.
+std::int64_t largest_size(vtkDataSet& data) {
+  constexpr std::int64_t head = 1024, tag = 400;  // text around all arrays, around one
+  std::int64_t size = head + 3 * tag + 17 * data.GetNumberOfCells() * 4 / 3;
+  const auto add = [&](vtkDataArray* array) {
+    if (array == nullptr) return;
+    const std::int64_t bytes =
+        std::int64_t(array->GetNumberOfValues()) * std::int64_t(array->GetDataTypeSize());
+    size += tag + (bytes + 8) * 4 / 3;  // 8: its length
+  };
+  vtkFieldData* const groups[] = {data.GetPointData(), data.GetFieldData()};
+  for (vtkFieldData* group : groups) {
+    for (int i = 0; i < group->GetNumberOfArrays(); ++i) add(group->GetArray(i));
+  }
+  if (auto* const points = vtkPointSet::SafeDownCast(&data)) add(points->GetPoints()->GetData());
+  return size;
+}
+
+/// 0, or the error number that says why the disk has no room for a file of this size. VTK 9.1
+/// crashes when it cannot write a file with arrays in place, so this is asked first.
+int find_room(const fs::path& path, std::int64_t bytes) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int error = posix_fallocate(file, 0, bytes);
+  // File systems that cannot reserve have to be tried.
+  if (error == EOPNOTSUPP || error == EINVAL) error = 0;
+  return close(file) == 0 ? error : errno;
 }
 
 void write_aside_and_rename(vtkXMLWriter& writer, vtkDataSet& data, const fs::path& path) {
@@ -161,8 +186,8 @@ void write_aside_and_rename(vtkXMLWriter& writer, vtkDataSet& data, const fs::pa
   writer.SetDataModeToBinary();
   writer.SetCompressorTypeToNone();
   writer.SetHeaderTypeToUInt64();
-  errno = 0;
-  const int written = room_for_head(temporary) ? writer.Write() : 0;
+  errno = find_room(temporary, largest_size(data));
+  const int written = errno == 0 ? writer.Write() : 0;
   const int error = errno;
   if (written == 0 || writer.GetErrorCode() != 0 || !ends_with_closing_tag(temporary)) {
     std::error_code ignored;
