@@ -203,4 +203,3 @@ struct MohrCoulomb {
 }  // namespace scree
 
 #include "materials/mohr_coulomb_params.hpp"
-#include "materials/mohr_coulomb_schema.hpp"

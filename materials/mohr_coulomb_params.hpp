@@ -125,3 +125,6 @@ MohrCoulomb::Params<T> MohrCoulomb::params(const Input& in, double density, int 
 }
 
 }  // namespace scree
+
+// Last, for it uses what is declared above, whichever of the three headers comes first.
+#include "materials/mohr_coulomb_schema.hpp"

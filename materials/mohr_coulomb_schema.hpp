@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// Deck keys of MohrCoulomb; included by mohr_coulomb.hpp.
+/// Deck keys of MohrCoulomb; included by mohr_coulomb_params.hpp.
 #pragma once
 
 #include <algorithm>
