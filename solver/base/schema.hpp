@@ -71,7 +71,7 @@ struct Entry {
   std::string fallback_text;           ///< the default as the reference prints it
   std::optional<double> lower, upper;  ///< range of numbers, integers and vector entries
   bool lower_open = false, upper_open = false;
-  std::optional<double> typical;  ///< of a number, SI: what benchmarks and tests use
+  std::optional<double> typical;            ///< of a number, SI: what benchmarks and tests use
   int length = 0;                           ///< entries of a vector; 0: domain.dimension
   int dimension = 0;                        ///< only available with this domain.dimension; 0: both
   std::vector<std::string> choices, later;  ///< allowed names; known names of later versions

@@ -116,7 +116,8 @@ TEST(NewtonianTest, SmallChangesOfVolumeKeepTheirRelativeAccuracy) {
 
 TEST(NewtonianTest, KinematicViscosityIsThatOfThePresentDensity) {
   const auto p = fluid(7);
-  EXPECT_NEAR(Law::momentum_diffusivity(p, compressed(p, 0.9)), 4.0 / 3.0 * kViscosity * 0.9 / kDensity, 1e-18);
+  EXPECT_NEAR(Law::momentum_diffusivity(p, compressed(p, 0.9)),
+              4.0 / 3.0 * kViscosity * 0.9 / kDensity, 1e-18);
 }
 
 }  // namespace
