@@ -194,11 +194,10 @@ class RowTransfer {
   /// rows, far: the row one node up on the first axis.
   static SCREE_FN Row plane_moments(const Row& all, const Row& far) {
     const Row pairs = quads<0, 4, 2, 1>(all, far) + quads<1, 5, 3, 3>(all, far);
+    const Row upper = quads<2, 6, 2, 6>(all, far) + quads<3, 7, 3, 7>(all, far);
     if constexpr (Row::parts == 2) {
-      const Row upper = quads<2, 6, 2, 6>(all, far) + quads<3, 7, 3, 7>(all, far);
       return {{pairs.part[0] + upper.part[0], pairs.part[1]}};
     } else {
-      const Row upper = quads<2, 6, 2, 6>(all, far) + quads<3, 7, 3, 7>(all, far);
       return multiply_add(upper, Row::load(first_two_quads.value), pairs);
     }
   }

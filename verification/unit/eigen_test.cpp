@@ -4,60 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "verification/support/lanes_testing.hpp"
+#include "verification/support/eigen_testing.hpp"
 
 namespace scree {
 namespace {
 
-using testing::epsilon;
-using testing::to_eigen;
-
 template <class V>
-class EigenTest : public ::testing::Test {
+class EigenTest : public testing::EigenProblemTest<V> {
  protected:
-  using T = Scalar<V>;
-
-  static void check(const Sym3<T>& a, const SymEigen<T>& result, double tolerance) {
-    const Eigen::Matrix3d exact = to_eigen(a), u = to_eigen(result.vectors);
-    Eigen::Vector3d values;
-    for (int k = 0; k < 3; ++k) values[k] = result.values[k];
-    const double unit = double(epsilon<T>) * std::max(exact.norm(), 1e-12);
-    ASSERT_LE((u * values.asDiagonal() * u.transpose() - exact).norm(), tolerance * unit) << exact;
-    ASSERT_LE((u.transpose() * u - Eigen::Matrix3d::Identity()).norm(), 25 * double(epsilon<T>));
-    ASSERT_GT(u.determinant(), 0.5);
-    Eigen::Vector3d expected = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(exact).eigenvalues();
-    std::sort(values.data(), values.data() + 3);
-    ASSERT_LE((values - expected).norm(), tolerance * unit) << exact;
-  }
   template <class Make>
   void expect_decompositions(int batches, double tolerance, Make make) {
-    for (int n = 0; n < batches; ++n) {
-      Mat3<V> m = zero3<V>();
-      for (int i = 0; i < lanes_of<V>; ++i)
-        testing::set_lane_of(m, i, testing::from_eigen<T>(make()));
-      const SymEigen<V> result = eigen_symmetric(sym(m));
-      for (int i = 0; i < lanes_of<V>; ++i) {
-        const Sym3<T> a = sym(testing::lane_of(m, i));
-        SymEigen<T> one{{}, testing::lane_of(result.vectors, i)};
-        for (int k = 0; k < 3; ++k) one.values[k] = lane(result.values[k], i);
-        ASSERT_NO_FATAL_FAILURE(check(a, one, tolerance));
-        // The order of nearly equal values may differ by a rounding: compare them sorted.
-        Vec3<T> scalar = eigen_symmetric(a).values;
-        std::sort(scalar.v, scalar.v + 3);
-        std::sort(one.values.v, one.values.v + 3);
-        for (int k = 0; k < 3; ++k) {
-          ASSERT_NEAR(scalar[k], one.values[k], 4 * double(epsilon<T>) * to_eigen(a).norm());
-        }
-      }
-    }
+    const auto solve = [](const auto& a) { return eigen_symmetric(a); };
+    testing::EigenProblemTest<V>::expect_decompositions(solve, batches, tolerance, 4, make);
   }
-  Eigen::Matrix3d with_values(double a, double b, double c) {
-    const Eigen::Matrix3d q = source.rotation();
-    return q * Eigen::Vector3d(a, b, c).asDiagonal() * q.transpose();
-  }
-  testing::MatrixSource source{5};
 };
 TYPED_TEST_SUITE(EigenTest, testing::LaneTypes);
 
