@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "solver/grid/block.hpp"
 
@@ -43,37 +46,80 @@ SCREE_FN constexpr NodePlace arena_place(int n) {
   return place;
 }
 
-/// Neighbouring arena nodes on the last axis that are also neighbours in the grid.
-struct NodeRun {
-  std::int32_t first;  ///< arena node
+/// The nodes of a line along the last axis that lie in one block.
+struct LineCut {
+  std::int32_t first;  ///< place in the line
   std::int32_t count;
-  NodePlace place;  ///< of the first node
+  std::int32_t neighbour;  ///< 0 .. 2: the block before, the same, the next
+  std::int32_t node;       ///< place in that block, 0 .. 3
 };
 
-/// All runs, made at compile time for the CPU.
-template <class Kernel, int D>
-class ArenaRuns {
- public:
-  constexpr ArenaRuns() : runs_{}, count_(0) {
-    for (int n = 0; n < ArenaShape<Kernel, D>::nodes; ++n) {
-      const NodePlace place = arena_place<Kernel, D>(n);
-      if (n % ArenaShape<Kernel, D>::extent != 0 && continues(runs_[count_ - 1], place)) {
-        ++runs_[count_ - 1].count;
-      } else {
-        runs_[count_++] = {n, 1, place};
+/// How the blocks cut the lines of a lattice, and where each line begins.
+template <class Kernel, int D, int lattice>
+struct ArenaLines {
+  using Shape = ArenaShape<Kernel, D>;
+  static constexpr int count = Shape::lattice_nodes / Shape::extent;
+  static constexpr int max_cuts = 3;
+
+  NodePlace line[count];  ///< the part of the axes before the last
+  LineCut cut[max_cuts];
+  int cuts;
+
+  constexpr ArenaLines() : line{}, cut{}, cuts(0) {
+    for (int l = 0; l < count; ++l) {
+      int rest = l;
+      int neighbour_stride = 3;
+      int node_stride = block_cells;
+      for (int a = D - 2; a >= 0; --a) {
+        const int node = Kernel::first_node(lattice) + rest % Shape::extent;
+        rest /= Shape::extent;
+        line[l].neighbour += (block_of_node(node) + 1) * neighbour_stride;
+        line[l].node += node_in_block(node) * node_stride;
+        neighbour_stride *= 3;
+        node_stride *= block_cells;
       }
+      line[l].node += lattice * block_node_count<D>;
+    }
+    for (int z = 0; z < Shape::extent; ++z) {
+      const int node = Kernel::first_node(lattice) + z;
+      if (z == 0 || node_in_block(node) == 0) {
+        cut[cuts++] = {z, 0, block_of_node(node) + 1, node_in_block(node)};
+      }
+      ++cut[cuts - 1].count;
     }
   }
-  constexpr const NodeRun* begin() const { return runs_; }
-  constexpr const NodeRun* end() const { return runs_ + count_; }
-
- private:
-  static constexpr bool continues(const NodeRun& run, const NodePlace& place) {
-    return place.neighbour == run.place.neighbour && place.node == run.place.node + run.count;
-  }
-
-  NodeRun runs_[ArenaShape<Kernel, D>::nodes];
-  int count_;
 };
+
+namespace detail {
+
+template <class Kernel, int D, int lattice, class F, std::size_t... cut>
+[[gnu::always_inline]] inline void each_run_of_line(int l, F&& f, std::index_sequence<cut...>) {
+  static constexpr ArenaLines<Kernel, D, lattice> lines;
+  const int first = lattice * ArenaShape<Kernel, D>::lattice_nodes + l * Kernel::arena_extent;
+  (f(std::integral_constant<int, lines.cut[cut].count>{}, first + lines.cut[cut].first,
+     NodePlace{lines.line[l].neighbour + lines.cut[cut].neighbour,
+               lines.line[l].node + lines.cut[cut].node}),
+   ...);
+}
+
+}  // namespace detail
+
+/// Lines of all lattices of an arena.
+template <class Kernel, int D>
+inline constexpr int arena_lines = Kernel::lattices* ArenaLines<Kernel, D, 0>::count;
+
+/// For the lines first .. last - 1, lattice after lattice: f(count, arena node, place in the grid)
+/// for each run of neighbouring nodes that are neighbours in the grid too. The count is a type, so
+/// that copies are unrolled.
+template <class Kernel, int D, int lattice = 0, class F>
+[[gnu::always_inline]] inline void each_run(int first, int last, F&& f) {
+  constexpr ArenaLines<Kernel, D, lattice> lines;
+  for (int l = first < 0 ? 0 : first; l < last && l < lines.count; ++l) {
+    detail::each_run_of_line<Kernel, D, lattice>(l, f, std::make_index_sequence<lines.cuts>{});
+  }
+  if constexpr (lattice + 1 < Kernel::lattices) {
+    each_run<Kernel, D, lattice + 1>(first - lines.count, last - lines.count, f);
+  }
+}
 
 }  // namespace scree

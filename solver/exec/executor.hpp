@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -43,13 +44,19 @@ template <class Kernel, int D, class T, class F>
 void for_each_block(Executor& executor, const PassData<D, T>& data,
                     const std::vector<std::int32_t>& blocks, F&& f) {
   using Group = BlockGroup<D, T, Kernel>;
-  executor.pool().for_each(std::int64_t(blocks.size()), [&](std::int64_t i, int thread) {
+  const auto run = [&](std::int64_t i, int thread) {
     const FlushSubnormals flush;
     Group group(data, executor.arena<T>(thread, Group::arena_values));
     group.begin(blocks[std::size_t(i)]);
+    if (std::size_t(i) + 1 < blocks.size()) group.expect(blocks[std::size_t(i) + 1]);
     f(group);
     group.finish();
-  });
+  };
+  // Blocks one after the other for the same thread, so that it can look ahead; few enough that the
+  // threads end together.
+  const std::int64_t count = std::int64_t(blocks.size());
+  executor.pool().for_each(count, run,
+                           std::clamp<std::int64_t>(count / (16 * executor.threads()), 1, 4));
 }
 
 }  // namespace scree

@@ -316,29 +316,6 @@ TEST_F(CpuGroupResult, MarksRemovedParticles) {
   }
 }
 
-TYPED_TEST(CpuGroupTest, StagesZerosWhereTheGridHasNoBlock) {
-  using Group = typename TestFixture::Group;
-  std::vector<std::int32_t> none(this->scene.grid.topology().neighbour_table().size(), -1);
-  this->data.neighbours = none.data();
-  AlignedVector<typename TypeParam::T> arena(Group::arena_values, 1);
-  Group group(this->data, arena.data());
-  group.begin(0);
-  group.stage_in(0);
-  group.each_batch([&](const typename Group::Batch& b) {
-    typename Group::V u[TypeParam::D];
-    const auto p = this->point_of(group, b, u);
-    for (int k = 0; k < TypeParam::Kernel::lattices; ++k) {
-      typename Group::V value[TypeParam::D];
-      typename Group::V moment[TypeParam::D][TypeParam::D];
-      group.gather_moments(0, p.stencil.base[k], p.stencil.weight[k], value, moment);
-      for (int l = 0; l < b.active; ++l) ASSERT_EQ(lane(value[0], l), 0);
-    }
-  });
-  group.clear(0);
-  group.stage_out(0);  // nowhere to go
-  for (const auto x : this->scene.write[0]) ASSERT_EQ(x, 0);
-}
-
 // ---- register transposes -----------------------------------------------------------------------
 
 template <class T>

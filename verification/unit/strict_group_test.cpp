@@ -201,6 +201,13 @@ TEST_F(Defects, ChannelThatIsNotThere) {
 }
 
 /// The arena of the compact kernel has nodes 0 .. 5 an axis; the stencil takes two.
+TEST_F(Defects, NeighbourWithoutNodes) {
+  std::vector<std::int32_t> around = scene.grid.topology().neighbour_table();
+  around.back() = -1;
+  data.neighbours = around.data();
+  expect_defect("neighbour that holds no nodes", [](Strict&) {});
+}
+
 TEST_F(Defects, StencilOutsideTheArena) {
   const auto gather_at = [](double x, double y) {
     return [x, y](Strict& g) {
