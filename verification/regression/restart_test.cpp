@@ -44,9 +44,9 @@ void expect_same(const HistoryRow& a, const HistoryRow& b) {
   }
 }
 
-class restart : public ::testing::TestWithParam<Method> {};
+class Restart : public ::testing::TestWithParam<Method> {};
 
-TEST_P(restart, continues_bit_for_bit) {
+TEST_P(Restart, continues_bit_for_bit) {
   for (int dimension : {2, 3})
     for (Precision precision : {Precision::double_, Precision::single_})
       for (int stop : {0, 3, 11}) {  // before the first step, and between two history rows
@@ -75,7 +75,7 @@ TEST_P(restart, continues_bit_for_bit) {
       }
 }
 
-INSTANTIATE_TEST_SUITE_P(methods, restart, ::testing::ValuesIn(all_methods()),
+INSTANTIATE_TEST_SUITE_P(methods, Restart, ::testing::ValuesIn(all_methods()),
                          [](const auto& info) { return to_string(info.param); });
 
 }  // namespace

@@ -41,9 +41,9 @@ MemoryArchive final_state(SimulationSetup setup, int threads) {
   return archive;
 }
 
-class threads : public ::testing::TestWithParam<Method> {};
+class Threads : public ::testing::TestWithParam<Method> {};
 
-TEST_P(threads, do_not_change_a_bit) {
+TEST_P(Threads, do_not_change_a_bit) {
   for (int dimension : {2, 3})
     for (Precision precision : {Precision::double_, Precision::single_}) {
       if (slow_build && (dimension == 3) != (precision == Precision::double_)) continue;
@@ -55,7 +55,7 @@ TEST_P(threads, do_not_change_a_bit) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(methods, threads, ::testing::ValuesIn(all_methods()),
+INSTANTIATE_TEST_SUITE_P(methods, Threads, ::testing::ValuesIn(all_methods()),
                          [](const auto& info) { return to_string(info.param); });
 
 }  // namespace

@@ -45,9 +45,9 @@ SimulationSetup scene(int dimension, const Method& method) {
   return setup;
 }
 
-class undrained_restart : public ::testing::TestWithParam<Method> {};
+class UndrainedRestart : public ::testing::TestWithParam<Method> {};
 
-TEST_P(undrained_restart, continues_bit_for_bit) {
+TEST_P(UndrainedRestart, continues_bit_for_bit) {
   for (const int dimension : {2, 3}) {
     const SimulationSetup setup = scene(dimension, GetParam());
     const auto whole = Simulation::create(setup);
@@ -68,7 +68,7 @@ TEST_P(undrained_restart, continues_bit_for_bit) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    methods, undrained_restart,
+    methods, UndrainedRestart,
     ::testing::Values(
         Method{KernelType::compact, TransferType::mls, PathType::fused, Precision::double_},
         Method{KernelType::compact, TransferType::mls, PathType::fused, Precision::single_},
@@ -88,7 +88,7 @@ Fields fields_after_run(const SimulationSetup& setup) {
           field(snapshot, "effective_stress").values};
 }
 
-TEST(undrained, split_and_fused_steps_agree) {
+TEST(Undrained, split_and_fused_steps_agree) {
   Method method;
   method.path = PathType::fused;
   const Fields fused = fields_after_run(scene(2, method));
@@ -104,7 +104,7 @@ TEST(undrained, split_and_fused_steps_agree) {
   EXPECT_LT(apart, 1e-6 * most);  // 60 steps of rounding, grown by yielding sand
 }
 
-TEST(undrained, a_body_without_water_has_no_such_fields) {
+TEST(Undrained, a_body_without_water_has_no_such_fields) {
   const SimulationSetup setup = scene(2, {});
   const std::size_t wet = setup.bodies[0].position.size() / 3;
   const Fields fields = fields_after_run(setup);
@@ -117,7 +117,7 @@ TEST(undrained, a_body_without_water_has_no_such_fields) {
   }
 }
 
-TEST(undrained, starts_from_the_given_stress_in_both_precisions) {
+TEST(Undrained, starts_from_the_given_stress_in_both_precisions) {
   for (const Precision precision : {Precision::double_, Precision::single_}) {
     Method method;
     method.precision = precision;
@@ -131,7 +131,7 @@ TEST(undrained, starts_from_the_given_stress_in_both_precisions) {
   }
 }
 
-TEST(undrained, fluids_cannot_carry_pore_water) {
+TEST(Undrained, fluids_cannot_carry_pore_water) {
   SimulationSetup setup = make_setup(2, {}, 0.1, {4, 4, 4});
   add_fluid(setup, {Vector(0.2, 0.2, 0)}, 0.05, {1e5, 7, 0, 1}, 1000).undrained_bulk_modulus = 1e6;
   EXPECT_THROW(Simulation::create(setup), std::runtime_error);

@@ -118,7 +118,7 @@ struct BlockScene {
  private:
   static std::vector<T> padding() {
     std::vector<T> values(fields, T(0));
-    for (int i = 0; i < 3; ++i) values[std::size_t(D + 4 * i)] = T(1);
+    for (int i = 0; i < 3; ++i) values[D + 4 * std::size_t(i)] = T(1);
     return values;
   }
 

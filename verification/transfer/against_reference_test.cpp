@@ -61,9 +61,9 @@ Difference difference_after(int steps, int dimension, const Method& method) {
   return {distance(got.x, expected.x), distance(got.v, expected.v), distance(got.F, expected.F)};
 }
 
-class against_reference : public ::testing::TestWithParam<Method> {};
+class AgainstReference : public ::testing::TestWithParam<Method> {};
 
-TEST_P(against_reference, one_step) {
+TEST_P(AgainstReference, one_step) {
   for (int dimension : {2, 3}) {
     const Difference d = difference_after(1, dimension, GetParam());
     // Rounding of velocities of size 1; stresses of 1e5 dt/(rho dx) = 0.5 m/s add their own; the
@@ -74,7 +74,7 @@ TEST_P(against_reference, one_step) {
   }
 }
 
-TEST_P(against_reference, forty_steps) {
+TEST_P(AgainstReference, forty_steps) {
   for (int dimension : {2, 3}) {
     const Difference d = difference_after(effort(40), dimension, GetParam());
     EXPECT_LT(d.x, 1e-12) << dimension;
@@ -84,7 +84,7 @@ TEST_P(against_reference, forty_steps) {
 }
 
 /// Sand and a viscous fluid in a corner, with the history of the sand.
-TEST_P(against_reference, sand_and_fluid) {
+TEST_P(AgainstReference, sand_and_fluid) {
   SimulationSetup setup = make_setup(2, GetParam(), dx, {10, 9, 1});
   setup.flip_blend = 0.9;
   setup.gravity = [](double) { return std::array<double, 3>{0, -9.81, 0}; };
@@ -134,7 +134,7 @@ TEST_P(against_reference, sand_and_fluid) {
   EXPECT_GT(yielded, 20) << "elastic sand tests little";
 }
 
-TEST_P(against_reference, single_precision_to_its_rounding) {
+TEST_P(AgainstReference, single_precision_to_its_rounding) {
   Method method = GetParam();
   method.precision = Precision::single_;
   for (int dimension : {2, 3}) {
@@ -145,7 +145,7 @@ TEST_P(against_reference, single_precision_to_its_rounding) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(methods, against_reference, ::testing::ValuesIn(all_methods()),
+INSTANTIATE_TEST_SUITE_P(methods, AgainstReference, ::testing::ValuesIn(all_methods()),
                          [](const auto& info) { return to_string(info.param); });
 
 }  // namespace

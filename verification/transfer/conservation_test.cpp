@@ -34,9 +34,9 @@ SimulationSetup random_motion(int dimension, const Method& method) {
   return setup;
 }
 
-class conservation : public ::testing::TestWithParam<Method> {};
+class Conservation : public ::testing::TestWithParam<Method> {};
 
-TEST_P(conservation, mass_momentum_and_angular_momentum) {
+TEST_P(Conservation, mass_momentum_and_angular_momentum) {
   for (int dimension : {2, 3}) {
     SimulationSetup setup = random_motion(dimension, GetParam());
     set_steps(setup, 25, 5e-4, true);
@@ -64,7 +64,7 @@ TEST_P(conservation, mass_momentum_and_angular_momentum) {
   }
 }
 
-TEST_P(conservation, affine_velocity_field_survives_a_step) {
+TEST_P(Conservation, affine_velocity_field_survives_a_step) {
   if (!GetParam().affine()) return;
   for (int dimension : {2, 3}) {
     SimulationSetup setup = make_setup(dimension, GetParam(), dx, {14, 14, 14});
@@ -90,7 +90,7 @@ TEST_P(conservation, affine_velocity_field_survives_a_step) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(methods, conservation, ::testing::ValuesIn(all_methods()),
+INSTANTIATE_TEST_SUITE_P(methods, Conservation, ::testing::ValuesIn(all_methods()),
                          [](const auto& info) { return to_string(info.param); });
 
 }  // namespace

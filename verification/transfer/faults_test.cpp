@@ -31,9 +31,9 @@ SimulationSetup block(int dimension, const Method& method, const Vector& velocit
   return setup;
 }
 
-class faults : public ::testing::TestWithParam<Method> {};
+class FaultsOfMethods : public ::testing::TestWithParam<Method> {};
 
-TEST_P(faults, motion_beyond_the_bound_names_the_particle) {
+TEST_P(FaultsOfMethods, motion_beyond_the_bound_names_the_particle) {
   for (int dimension : {2, 3}) {
     SimulationSetup setup = block(dimension, GetParam(), Vector(40, 0, 0), Matrix::Zero());
     set_steps(setup, 3, 2e-3);  // 0.8 cells a step
@@ -45,7 +45,7 @@ TEST_P(faults, motion_beyond_the_bound_names_the_particle) {
   }
 }
 
-TEST_P(faults, inverted_particle_is_reported) {
+TEST_P(FaultsOfMethods, inverted_particle_is_reported) {
   if (GetParam().kernel == KernelType::linear) return;  // it takes more than one step here
   for (int dimension : {2, 3}) {
     Matrix collapse = Matrix::Zero();
@@ -64,7 +64,7 @@ TEST_P(faults, inverted_particle_is_reported) {
   }
 }
 
-TEST(fault, a_closed_wall_lets_nothing_through) {
+TEST(Fault, a_closed_wall_lets_nothing_through) {
   SimulationSetup setup = block(2, {}, Vector(-5, 0, 0), Matrix::Zero());
   setup.faces[0][0] = FaceType::separate;
   setup.schedule = Schedule(0.3, 0, 0, 0);
@@ -75,7 +75,7 @@ TEST(fault, a_closed_wall_lets_nothing_through) {
   for (const Vector& x : state_of(*simulation).x) EXPECT_GT(x[0], 0);
 }
 
-TEST(fault, open_faces_remove_and_count) {
+TEST(Fault, open_faces_remove_and_count) {
   SimulationSetup setup = block(2, {}, Vector(-5, 0, 0), Matrix::Zero());
   setup.schedule = Schedule(0.3, 0, 0, 0);
   const Schedule schedule = setup.schedule;
@@ -86,14 +86,14 @@ TEST(fault, open_faces_remove_and_count) {
   EXPECT_EQ(simulation->particle_count(), 0);
 }
 
-TEST(fault, a_particle_outside_the_domain_is_the_users_mistake) {
+TEST(Fault, a_particle_outside_the_domain_is_the_users_mistake) {
   SimulationSetup setup = make_setup(2, {}, 0.1, {4, 4, 1});
   add_jelly(setup, {Vector(0.9, 0.2, 0)}, 0.05, {});
   setup.schedule = Schedule(1, 0, 0, 0);
   EXPECT_THROW(Simulation::create(std::move(setup)), UserError);
 }
 
-INSTANTIATE_TEST_SUITE_P(methods, faults, ::testing::ValuesIn(all_methods()),
+INSTANTIATE_TEST_SUITE_P(methods, FaultsOfMethods, ::testing::ValuesIn(all_methods()),
                          [](const auto& info) { return to_string(info.param); });
 
 }  // namespace

@@ -132,25 +132,25 @@ void check_kernel(unsigned long long seed) {
 }
 
 template <class K>
-class kernel : public ::testing::Test {};
+class KernelTest : public ::testing::Test {};
 using Kernels = ::testing::Types<Compact, Quadratic, Linear>;
-TYPED_TEST_SUITE(kernel, Kernels);
+TYPED_TEST_SUITE(KernelTest, Kernels);
 
-TYPED_TEST(kernel, equals_the_reference_in_two_dimensions) {
+TYPED_TEST(KernelTest, equals_the_reference_in_two_dimensions) {
   check_kernel<TypeParam, 2, double>(41);
   check_kernel<TypeParam, 2, float>(42);
   check_kernel<TypeParam, 2, Lanes<double>>(43);
   check_kernel<TypeParam, 2, Lanes<float>>(44);
 }
 
-TYPED_TEST(kernel, equals_the_reference_in_three_dimensions) {
+TYPED_TEST(KernelTest, equals_the_reference_in_three_dimensions) {
   check_kernel<TypeParam, 3, double>(45);
   check_kernel<TypeParam, 3, float>(46);
   check_kernel<TypeParam, 3, Lanes<double>>(47);
   check_kernel<TypeParam, 3, Lanes<float>>(48);
 }
 
-TYPED_TEST(kernel, partition_of_unity_and_first_moment_to_the_last_bit) {
+TYPED_TEST(KernelTest, partition_of_unity_and_first_moment_to_the_last_bit) {
   testing::Random random(49);
   for (int count = 0; count < testing::effort(20000); ++count) {
     const double u[2] = {random.uniform(0, 4.5), random.uniform(0, 4.5)};
@@ -184,7 +184,7 @@ double worst_sine_error() {
   return worst;
 }
 
-TEST(compact_sine, has_its_stated_accuracy) {
+TEST(CompactSine, has_its_stated_accuracy) {
   EXPECT_LT(worst_sine_error<double>(), 4e-16);
   EXPECT_LT(worst_sine_error<float>(), 3e-8);
   EXPECT_EQ(compact_sine(0.0625), 0);  // K is continuous at the cell's edges

@@ -43,9 +43,9 @@ State thrown_ball(int dimension, const Method& method, FaceType face, bool twin)
   return state;
 }
 
-class mirror : public ::testing::TestWithParam<Method> {};
+class Mirror : public ::testing::TestWithParam<Method> {};
 
-TEST_P(mirror, face_equals_a_mirror_twin) {
+TEST_P(Mirror, face_equals_a_mirror_twin) {
   if (GetParam().kernel == KernelType::linear)
     return;  // its edge particles blow up sooner or later
   for (int dimension : {2, 3}) {
@@ -93,7 +93,7 @@ State dropped_block(const Method& method, int shift) {
   return state;
 }
 
-TEST_P(mirror, axes_are_equal) {
+TEST_P(Mirror, axes_are_equal) {
   if (GetParam().kernel == KernelType::linear) return;
   const State first = dropped_block(GetParam(), 0);
   const double bound = GetParam().transfer == TransferType::mls ? 1e-13 : 1e-11;
@@ -125,7 +125,7 @@ State colliding_disks(const Method& method, int dimension, double h) {
   return state_of(*simulation);
 }
 
-TEST_P(mirror, slice_equals_plane_strain) {
+TEST_P(Mirror, slice_equals_plane_strain) {
   if (GetParam().kernel == KernelType::linear || GetParam().path == PathType::fused) return;
   if (slow_build) GTEST_SKIP() << "hundreds of steps at two sizes, minutes with sanitizers";
   const auto in_plane_difference = [&](double h) {
@@ -151,7 +151,7 @@ TEST_P(mirror, slice_equals_plane_strain) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(methods, mirror, ::testing::ValuesIn(all_methods()),
+INSTANTIATE_TEST_SUITE_P(methods, Mirror, ::testing::ValuesIn(all_methods()),
                          [](const auto& info) { return to_string(info.param); });
 
 }  // namespace

@@ -14,9 +14,9 @@
 namespace scree::testing {
 namespace {
 
-class motion : public ::testing::TestWithParam<Method> {};
+class MotionTest : public ::testing::TestWithParam<Method> {};
 
-TEST_P(motion, free_fall) {
+TEST_P(MotionTest, free_fall) {
   for (int dimension : {2, 3}) {
     for (int side : {1, 4}) {  // one particle, and a block of 4^d
       if (slow_build && side == 4 && dimension == 3) continue;
@@ -47,7 +47,7 @@ TEST_P(motion, free_fall) {
 }
 
 /// A stress-free block at v = (0.37, 0.21, 0.11) m/s through 20 cells.
-TEST_P(motion, translation_leaves_no_stress_and_no_distortion) {
+TEST_P(MotionTest, translation_leaves_no_stress_and_no_distortion) {
   const double dx = 0.05;
   const Jelly jelly{4000, 0.3, 1000};
   for (int dimension : {2, 3}) {
@@ -70,7 +70,7 @@ TEST_P(motion, translation_leaves_no_stress_and_no_distortion) {
 }
 
 /// A block that crosses a periodic face moves as in an endless domain.
-TEST_P(motion, periodic_face_is_invisible) {
+TEST_P(MotionTest, periodic_face_is_invisible) {
   // The hat function's force does not fade with its node's mass: edge particles blow up sooner or
   // later.
   if (GetParam().kernel == KernelType::linear) return;
@@ -100,7 +100,7 @@ TEST_P(motion, periodic_face_is_invisible) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(methods, motion, ::testing::ValuesIn(all_methods()),
+INSTANTIATE_TEST_SUITE_P(methods, MotionTest, ::testing::ValuesIn(all_methods()),
                          [](const auto& info) { return to_string(info.param); });
 
 /// A stiff square of 16 cells spins once. Its corners stretch by omega^2 R^2/(2 c^2) at most.
@@ -132,7 +132,7 @@ void spin(const Method& method, double kinetic_share) {
   }
 }
 
-TEST(rotation, square_keeps_its_spin) {
+TEST(Rotation, square_keeps_its_spin) {
   if (slow_build) GTEST_SKIP() << "thousands of steps, minutes with sanitizers";
   for (KernelType kernel : {KernelType::compact, KernelType::quadratic}) {
     spin({kernel, TransferType::mls, PathType::fused, Precision::double_}, 0.99);

@@ -29,7 +29,7 @@ Vector sample_position(scree::testing::Random& random, int dimension, int count)
   return x;
 }
 
-TEST(reference_kernel, partition_of_unity_on_every_lattice) {
+TEST(ReferenceKernel, partition_of_unity_on_every_lattice) {
   scree::testing::Random random(11);
   for (Kernel kernel : kernels)
     for (int count = 0; count < scree::testing::effort(20000); ++count) {
@@ -42,7 +42,7 @@ TEST(reference_kernel, partition_of_unity_on_every_lattice) {
     }
 }
 
-TEST(reference_kernel, average_of_lattices_reproduces_position_and_gradient) {
+TEST(ReferenceKernel, average_of_lattices_reproduces_position_and_gradient) {
   scree::testing::Random random(12);
   for (Kernel kernel : kernels)
     for (int dimension : {2, 3})
@@ -64,7 +64,7 @@ TEST(reference_kernel, average_of_lattices_reproduces_position_and_gradient) {
       }
 }
 
-TEST(reference_kernel, one_compact_lattice_alone_misses_the_first_moment_by_a_sine) {
+TEST(ReferenceKernel, one_compact_lattice_alone_misses_the_first_moment_by_a_sine) {
   double largest = 0;
   for (int n = 0; n < 1000; ++n) {
     const double f = n / 1000.0;
@@ -77,7 +77,7 @@ TEST(reference_kernel, one_compact_lattice_alone_misses_the_first_moment_by_a_si
   EXPECT_NEAR(largest, 1 / (2 * pi), 1e-12);  // at f = 1/4, which the scan hits
 }
 
-TEST(reference_kernel, compact_kernel_is_smooth_monotone_and_has_unit_area) {
+TEST(ReferenceKernel, compact_kernel_is_smooth_monotone_and_has_unit_area) {
   const double h = 1e-6;
   for (double x : {-1.0, 0.0, 1.0}) {
     const auto jump = [&](auto f) { return std::abs(f(x + h) - f(x - h)); };
@@ -108,7 +108,7 @@ TEST(reference_kernel, compact_kernel_is_smooth_monotone_and_has_unit_area) {
   EXPECT_NEAR(kernel_value(Kernel::compact, 1 - f) / (2 * pi * pi / 3 * f * f * f), 1, 1e-4);
 }
 
-TEST(reference_kernel, slopes_are_the_derivatives_of_the_values) {
+TEST(ReferenceKernel, slopes_are_the_derivatives_of_the_values) {
   const double h = 1e-6;
   for (Kernel kernel : kernels)
     for (double x : {-1.3, -0.83, -0.31, 0.12, 0.47, 0.76, 1.2}) {
@@ -151,7 +151,7 @@ struct ClosedForm {
   }
 };
 
-TEST(reference_kernel, moment_matrix_has_the_closed_form_and_its_bounds) {
+TEST(ReferenceKernel, moment_matrix_has_the_closed_form_and_its_bounds) {
   scree::testing::Random random(13);
   for (int dimension : {2, 3}) {
     // Sharp: reached where |s_a| = 1/(2 pi) in every axis.
@@ -174,7 +174,7 @@ TEST(reference_kernel, moment_matrix_has_the_closed_form_and_its_bounds) {
   }
 }
 
-TEST(reference_kernel, moment_matrices_of_the_other_kernels) {
+TEST(ReferenceKernel, moment_matrices_of_the_other_kernels) {
   scree::testing::Random random(14);
   for (int count = 0; count < scree::testing::effort(1000); ++count) {
     const Vector x = sample_position(random, 3, 1);

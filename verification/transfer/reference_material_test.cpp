@@ -24,7 +24,7 @@ Matrix stress_at(const Material& material, const Matrix& F) {
   return material.advance(state, F - Matrix::Identity(), 1.0);
 }
 
-TEST(reference_material, fixed_corotated_stress_is_the_derivative_of_its_energy) {
+TEST(ReferenceMaterial, fixed_corotated_stress_is_the_derivative_of_its_energy) {
   const auto material = fixed_corotated(1e6, 0.3);
   scree::testing::Random random(31);
   for (int n = 0; n < 50; ++n) {
@@ -44,7 +44,7 @@ TEST(reference_material, fixed_corotated_stress_is_the_derivative_of_its_energy)
   EXPECT_EQ(stress_at(*material, Matrix::Identity()).norm(), 0);
 }
 
-TEST(reference_material, fixed_corotated_is_linear_in_uniaxial_strain_and_objective) {
+TEST(ReferenceMaterial, fixed_corotated_is_linear_in_uniaxial_strain_and_objective) {
   const auto material = fixed_corotated(1e6, 0.3);
   for (double s : {0.4, 0.9, 1.3, 2.0})
     EXPECT_NEAR(stress_at(*material, stretched(s, 1, 1))(0, 0) / s,
@@ -55,7 +55,7 @@ TEST(reference_material, fixed_corotated_is_linear_in_uniaxial_strain_and_object
             1e-7);
 }
 
-TEST(reference_material, drucker_prager_returns_as_published) {
+TEST(ReferenceMaterial, drucker_prager_returns_as_published) {
   // E = 10 MPa, nu = 0.3, phi = 30 deg on the outer cone.
   const double alpha = cone_alpha(cone_slope_compression(std::numbers::pi / 6));
   EXPECT_NEAR(alpha, 0.326598632, 1e-9);
@@ -75,7 +75,7 @@ TEST(reference_material, drucker_prager_returns_as_published) {
   EXPECT_NEAR(state.log_volume_ratio, -0.010, 1e-15);
 }
 
-TEST(reference_material, sand_is_stress_free_after_expansion_and_equal_compression) {
+TEST(ReferenceMaterial, sand_is_stress_free_after_expansion_and_equal_compression) {
   const auto sand = drucker_prager({1e7, 0.3, 0.3});
   MaterialState state;
   const Matrix one = Matrix::Identity();
@@ -86,7 +86,7 @@ TEST(reference_material, sand_is_stress_free_after_expansion_and_equal_compressi
   EXPECT_NEAR(state.volume_correction, 0, 1e-15);
 }
 
-TEST(reference_material, sand_follows_the_oedometer_path) {
+TEST(ReferenceMaterial, sand_follows_the_oedometer_path) {
   const double phi = std::numbers::pi / 6;
   const auto sand = drucker_prager({1e7, 0.2, cone_alpha(cone_slope_compression(phi))});
   MaterialState state;
@@ -99,7 +99,7 @@ TEST(reference_material, sand_follows_the_oedometer_path) {
   EXPECT_NEAR(-state.tau(1, 1) / 0.9 / expected.lateral, 1, 1e-10);
 }
 
-TEST(reference_material, cohesion_lets_sand_carry_the_stress_of_its_tip) {
+TEST(ReferenceMaterial, cohesion_lets_sand_carry_the_stress_of_its_tip) {
   const Lame lame(1e7, 0.3);
   const double phi = 0.5, cohesion = 5e3;
   const double shift = cohesion / std::tan(phi) / (3 * lame.lambda + 2 * lame.mu);
@@ -110,7 +110,7 @@ TEST(reference_material, cohesion_lets_sand_carry_the_stress_of_its_tip) {
   EXPECT_LT((tau - cohesion / std::tan(phi) * Matrix::Identity()).norm(), 1e-7);
 }
 
-TEST(reference_material, dilation_keeps_the_cone_and_grows_volume_as_its_angle_says) {
+TEST(ReferenceMaterial, dilation_keeps_the_cone_and_grows_volume_as_its_angle_says) {
   const double alpha = 0.3, a = 0.1;
   const auto sand = drucker_prager({1e7, 0.3, alpha, a});
   MaterialState state;
@@ -124,7 +124,7 @@ TEST(reference_material, dilation_keeps_the_cone_and_grows_volume_as_its_angle_s
   EXPECT_NEAR(plastic_volume, 3 * a * plastic_shear, 1e-14);
 }
 
-TEST(reference_material, fluid_pressure_follows_its_law) {
+TEST(ReferenceMaterial, fluid_pressure_follows_its_law) {
   const auto water = j_fluid(1e4, 7, 0.5);
   MaterialState state;
   Matrix L = Matrix::Zero();

@@ -58,7 +58,7 @@ Solver random_particles(const Settings& settings, unsigned long long seed) {
   return solver;
 }
 
-TEST(reference_transfer, affine_field_survives_a_round_trip) {
+TEST(ReferenceTransfer, affine_field_survives_a_round_trip) {
   scree::testing::Random random(21);
   for (int dimension : {2, 3})
     for (const Method& method : methods) {
@@ -79,7 +79,7 @@ TEST(reference_transfer, affine_field_survives_a_round_trip) {
     }
 }
 
-TEST(reference_transfer, momentum_is_conserved) {
+TEST(ReferenceTransfer, momentum_is_conserved) {
   for (int dimension : {2, 3})
     for (const Method& method : methods) {
       Solver solver = random_particles(settings_of(method, dimension), 23);
@@ -92,7 +92,7 @@ TEST(reference_transfer, momentum_is_conserved) {
     }
 }
 
-TEST(reference_transfer, angular_momentum_with_the_affine_part_is_conserved) {
+TEST(ReferenceTransfer, angular_momentum_with_the_affine_part_is_conserved) {
   for (int dimension : {2, 3})
     for (const Method& method : methods) {
       Solver solver = random_particles(settings_of(method, dimension), 24);
@@ -108,7 +108,7 @@ TEST(reference_transfer, angular_momentum_with_the_affine_part_is_conserved) {
     }
 }
 
-TEST(reference_transfer, forces_have_no_resultant_no_torque_and_the_right_virial) {
+TEST(ReferenceTransfer, forces_have_no_resultant_no_torque_and_the_right_virial) {
   for (int dimension : {2, 3})
     for (const Method& method : methods) {
       const Settings settings = settings_of(method, dimension);
@@ -133,7 +133,7 @@ TEST(reference_transfer, forces_have_no_resultant_no_torque_and_the_right_virial
     }
 }
 
-TEST(reference_transfer, free_fall_follows_the_discrete_formula) {
+TEST(ReferenceTransfer, free_fall_follows_the_discrete_formula) {
   for (int dimension : {2, 3})
     for (const Method& method : methods) {
       Settings settings = settings_of(method, dimension);
@@ -206,7 +206,7 @@ int twin_steps(const Method& method, int dimension) {
   return dimension == 2 ? 120 : 20;
 }
 
-TEST(reference_transfer, mirror_face_equals_a_mirror_twin) {
+TEST(ReferenceTransfer, mirror_face_equals_a_mirror_twin) {
   if (scree::testing::slow_build) GTEST_SKIP() << "the reference alone, minutes with sanitizers";
   for (int dimension : {2, 3})
     for (const Method& method : methods)
@@ -231,7 +231,7 @@ TEST(reference_transfer, mirror_face_equals_a_mirror_twin) {
       }
 }
 
-TEST(reference_transfer, a_spinning_disk_keeps_its_angular_momentum_over_many_steps) {
+TEST(ReferenceTransfer, a_spinning_disk_keeps_its_angular_momentum_over_many_steps) {
   for (Transfer transfer : {Transfer::mls, Transfer::apic}) {
     Settings settings = settings_of({Kernel::compact, transfer}, 2, 0.1);
     Solver solver(settings);

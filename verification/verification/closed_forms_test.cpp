@@ -13,7 +13,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-TEST(closed_forms, symplectic_fall_is_the_sum_of_its_steps) {
+TEST(ClosedForms, symplectic_fall_is_the_sum_of_its_steps) {
   double x = 0, v = 0.3;
   for (int n = 0; n < 17; ++n) {
     v += 0.02 * -9.81;
@@ -24,25 +24,25 @@ TEST(closed_forms, symplectic_fall_is_the_sum_of_its_steps) {
   EXPECT_NEAR(fall.velocity, v, 1e-14);
 }
 
-TEST(closed_forms, sliding_block) {
+TEST(ClosedForms, sliding_block) {
   EXPECT_NEAR(SlidingBlock(30 * degree, 0.3).acceleration, 2.356287, 1e-6);
   EXPECT_NEAR(SlidingBlock(30 * degree, 0.3).displacement(1), 1.178144, 1e-6);
   EXPECT_EQ(SlidingBlock(30 * degree, 0.6).displacement(1), 0);
   EXPECT_LT(SlidingBlock(30 * degree, 0.6, 9.81, 1).acceleration, 0);
 }
 
-TEST(closed_forms, infinite_slope) {
+TEST(ClosedForms, infinite_slope) {
   EXPECT_NEAR(infinite_slope_safety(5e3, 30 * degree, 18e3, 3, 25 * degree), 1.47987, 1e-5);
   // The outer cone of 30 degrees holds up to 34.72 degrees in plane strain.
   const double M = cone_slope_compression(30 * degree);
   EXPECT_NEAR(infinite_slope_acceleration(std::atan(0.692820), M), 0, 1e-5);
 }
 
-TEST(closed_forms, rod_of_the_momentum_test) {
+TEST(ClosedForms, rod_of_the_momentum_test) {
   EXPECT_NEAR(shearing_rod_angular_momentum(1000, 12.8, 5.0 / 256, 40.0 / 256), 4.876394e-3, 1e-9);
 }
 
-TEST(closed_forms, self_weight_column) {
+TEST(ClosedForms, self_weight_column) {
   const SelfWeightColumn column{10, 1000, 10, oedometric_modulus(1e6, 0)};
   EXPECT_NEAR(column.displacement(10), -0.5, 1e-15);
   EXPECT_NEAR(column.stretch(0), 0.9, 1e-15);
@@ -54,7 +54,7 @@ TEST(closed_forms, self_weight_column) {
   }
 }
 
-TEST(closed_forms, bar_vibration_solves_the_wave_equation) {
+TEST(ClosedForms, bar_vibration_solves_the_wave_equation) {
   const BarVibration bar{25, 10, 0.1};
   EXPECT_NEAR(bar.period(), 10, 1e-14);
   EXPECT_NEAR(bar.mean_velocity(0), 0.063662, 1e-6);
@@ -67,7 +67,7 @@ TEST(closed_forms, bar_vibration_solves_the_wave_equation) {
   EXPECT_EQ(bar.displacement(0, t), 0);
 }
 
-TEST(closed_forms, cones) {
+TEST(ClosedForms, cones) {
   EXPECT_NEAR(cone_slope_compression(30 * degree), 1.2, 1e-15);
   EXPECT_NEAR(cone_slope_extension(30 * degree), 0.8571, 5e-5);
   EXPECT_NEAR(cone_slope_plane_strain(30 * degree), 0.8660, 5e-5);
@@ -77,7 +77,7 @@ TEST(closed_forms, cones) {
   EXPECT_NEAR(stress.lateral, 390224.13206602336, 1e-6);
 }
 
-TEST(closed_forms, run_out_and_hydrostatic_pressure) {
+TEST(ClosedForms, run_out_and_hydrostatic_pressure) {
   EXPECT_NEAR(column_runout(0.5), 0.6, 1e-15);
   EXPECT_NEAR(column_runout(3), 3.95, 5e-3);
   EXPECT_NEAR(column_runout(7), 6.95, 5e-3);

@@ -60,7 +60,7 @@ ColumnErrors settle(KernelType kernel, int cells, int ppd) {
 }
 
 // Values measured with an independent one-dimensional code, with a margin of 1.5.
-TEST(self_weight_column, compact_with_four_particles_a_direction) {
+TEST(SelfWeightColumn, compact_with_four_particles_a_direction) {
   const ColumnErrors e8 = settle(KernelType::compact, 8, 4);
   const ColumnErrors e16 = settle(KernelType::compact, 16, 4);
   const ColumnErrors e32 = settle(KernelType::compact, 32, 4);
@@ -73,13 +73,13 @@ TEST(self_weight_column, compact_with_four_particles_a_direction) {
   EXPECT_GT(std::log2(e8.displacement / e32.displacement) / 2, 0.9);  // first order at the surface
 }
 
-TEST(self_weight_column, compact_with_two_particles_a_direction) {
+TEST(SelfWeightColumn, compact_with_two_particles_a_direction) {
   EXPECT_LT(settle(KernelType::compact, 8, 2).stress, 1.5 * 1.5e-2);
   EXPECT_LT(settle(KernelType::compact, 16, 2).stress, 1.5 * 1.4e-2);
   EXPECT_LT(settle(KernelType::compact, 32, 2).stress, 1.5 * 1.1e-2);
 }
 
-TEST(self_weight_column, quadratic) {
+TEST(SelfWeightColumn, quadratic) {
   EXPECT_LT(settle(KernelType::quadratic, 8, 2).stress, 1.5 * 8.8e-3);
   EXPECT_LT(settle(KernelType::quadratic, 16, 2).stress, 1.5 * 5.4e-3);
   EXPECT_LT(settle(KernelType::quadratic, 32, 2).stress, 1.5 * 4.5e-3);

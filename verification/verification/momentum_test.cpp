@@ -39,7 +39,7 @@ SimulationSetup colliding_balls() {
   return setup;
 }
 
-TEST(momentum, colliding_balls_keep_linear_momentum) {
+TEST(Momentum, colliding_balls_keep_linear_momentum) {
   SimulationSetup setup = colliding_balls();
   const std::size_t first_count = setup.bodies[0].position.size() / 3;
   const double ball_mass = first_count * soft.density * std::pow(dx / 2, 3);
@@ -63,7 +63,7 @@ TEST(momentum, colliding_balls_keep_linear_momentum) {
   EXPECT_LT(first.mean(), -0.095);
 }
 
-TEST(momentum, shearing_rod_keeps_angular_momentum) {
+TEST(Momentum, shearing_rod_keeps_angular_momentum) {
   const double radius = 2.5 * dx, length = 20 * dx, rate = 3.2;
   SimulationSetup setup = make_setup(3, compact, dx, {40, 40, 40});
   const Vector center = Vector::Constant(20 * dx);

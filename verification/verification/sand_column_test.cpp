@@ -61,7 +61,7 @@ double run_out(double aspect, const std::string& floor) {
 
 const char* const rough = "{ type = \"friction\", coefficient = 0.6 }";  // tan(31 deg)
 
-TEST(sand_column, run_out_follows_the_scaling_of_experiments) {
+TEST(SandColumn, run_out_follows_the_scaling_of_experiments) {
   double last = run_out(0.5, rough);
   for (double aspect : {1.0, 1.5, 2.0}) {
     const double normalised = run_out(aspect, rough);
@@ -74,7 +74,7 @@ TEST(sand_column, run_out_follows_the_scaling_of_experiments) {
   }
 }
 
-TEST(sand_column, run_out_equals_that_of_an_independent_code) {
+TEST(SandColumn, run_out_equals_that_of_an_independent_code) {
   EXPECT_NEAR(run_out(1.5, "\"sticky\"") / 2.11, 1, 0.08);
 }
 

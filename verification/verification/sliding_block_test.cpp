@@ -41,13 +41,13 @@ Slide slide(KernelType kernel, double friction, bool settle) {
   return {rows.at(1).center[0] - rows[0].center[0], rows.at(2).center[0] - rows[0].center[0]};
 }
 
-TEST(sliding_block, slides_as_a_point_mass) {
+TEST(SlidingBlock, slides_as_a_point_mass) {
   const double exact = reference::SlidingBlock(theta, 0.3).displacement(1.0);
   for (KernelType kernel : {KernelType::compact, KernelType::quadratic})
     EXPECT_NEAR(slide(kernel, 0.3, false).whole / exact, 1, 1e-3);
 }
 
-TEST(sliding_block, stays_below_the_friction_angle) {
+TEST(SlidingBlock, stays_below_the_friction_angle) {
   const Slide held = slide(KernelType::compact, 0.6, true);  // tan 30 deg = 0.577
   EXPECT_LT(std::abs(held.whole - held.half), 1e-3 * 0.025) << "creep";
   EXPECT_LT(held.whole, 1e-2 * 0.025) << "elastic shear: rho g sin(theta) h^2/(2 G) = 6e-6 m";
