@@ -7,6 +7,10 @@ file(GLOB_RECURSE headers RELATIVE "${CMAKE_SOURCE_DIR}" CONFIGURE_DEPENDS "${CM
 # Headers that name CUDA are compiled by nvcc, with the kernels.
 list(FILTER headers EXCLUDE REGEX "/cuda_[a-z_]*\\.hpp$")
 
+if(NOT benchmark_FOUND)
+  list(FILTER headers EXCLUDE REGEX "^verification/benchmark/")
+endif()
+
 set(units "")
 foreach(header IN LISTS headers)
   string(REGEX REPLACE "\\.hpp$" ".cpp" unit "${header}")
@@ -19,6 +23,9 @@ if(units)
   add_library(scree_header_test OBJECT EXCLUDE_FROM_ALL ${units})
   scree_compile_options(scree_header_test)
   target_link_libraries(scree_header_test PRIVATE fmt::fmt GTest::gtest Eigen3::Eigen)
+  if(benchmark_FOUND)
+    target_link_libraries(scree_header_test PRIVATE benchmark::benchmark)
+  endif()
   # The test asks whether the headers compile, not for code: no optimisation, which halves the time.
   target_compile_options(scree_header_test PRIVATE -O0 -g0 -Werror)
   add_test(NAME sources.self_contained_headers COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target

@@ -3,7 +3,8 @@
 #   generated/materials.hpp   the includes of all chosen materials,
 #   generated/materials.def   the chosen lines, an X-macro list,
 #   one translation unit for each material, dimension and precision (so they build in parallel),
-#   one translation unit for each material with its type-erased point (materials/material_point.hpp).
+#   two translation units for each material: its type-erased point (materials/material_point.hpp) and the calls that show
+#   what it costs (materials/material_cost.hpp).
 
 set(SCREE_MATERIAL_LIST "${CMAKE_SOURCE_DIR}/materials/list.def")
 set(SCREE_MATERIAL_HEADERS "")
@@ -75,7 +76,7 @@ foreach(header Type IN ZIP_LISTS SCREE_MATERIAL_HEADERS SCREE_MATERIAL_TYPES)
   set(unit "${CMAKE_BINARY_DIR}/generated/points/${header}.cpp")
   configure_file("${CMAKE_SOURCE_DIR}/cmake/material_point.cpp.in" "${unit}" @ONLY)
   list(APPEND SCREE_MATERIAL_POINTS "${unit}")
-  set(unit "${CMAKE_BINARY_DIR}/generated/costs/${header}.cpp")
-  configure_file("${CMAKE_SOURCE_DIR}/cmake/material_cost.cpp.in" "${unit}" @ONLY)
+  set(unit "${CMAKE_BINARY_DIR}/generated/calls/${header}.cpp")
+  configure_file("${CMAKE_SOURCE_DIR}/cmake/material_calls.cpp.in" "${unit}" @ONLY)
   list(APPEND SCREE_MATERIAL_POINTS "${unit}")
 endforeach()

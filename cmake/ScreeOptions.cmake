@@ -9,6 +9,8 @@ option(SCREE_ASSERTIONS "Keep assertions of scree and of the standard library, i
 set(SCREE_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread; empty for none")
 set(SCREE_MARCH "native" CACHE STRING
     "Instruction set: native (this machine), portable (x86-64-v2 on PCs, machines since about 2009), or a value of -march")
+set(SCREE_BENCHMARKS "auto" CACHE STRING
+    "Micro-benchmarks: auto (where Google Benchmark is installed, not with sanitizers), ON (it must be there), OFF")
 set(SCREE_MATERIALS "all" CACHE STRING "Materials to compile, by name, separated by ';'; all for every one")
 
 get_property(scree_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)

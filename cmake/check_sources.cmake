@@ -55,7 +55,7 @@ function(check_arrow file line target)
 endfunction()
 
 # Foreign libraries: the pattern of their headers, and the files that may include them.
-set(groups toml11 CLI11 muparser HDF5 VTK MPI PETSc CUDA Eigen GoogleTest)
+set(groups toml11 CLI11 muparser HDF5 VTK MPI PETSc CUDA Eigen GoogleTest GoogleBenchmark)
 set(header_toml11 "^toml(11)?(\\.hpp|/)")
 set(files_toml11 "^solver/deck/.*\\.cpp$")
 set(header_CLI11 "^CLI/")
@@ -76,6 +76,8 @@ set(header_Eigen "^Eigen/")
 set(files_Eigen "^verification/")
 set(header_GoogleTest "^g(test|mock)/")
 set(files_GoogleTest "^verification/")
+set(header_GoogleBenchmark "^benchmark/")
+set(files_GoogleBenchmark "^verification/benchmark/")
 
 function(check_foreign file line target)
   foreach(group IN LISTS groups)

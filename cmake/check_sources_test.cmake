@@ -49,6 +49,7 @@ set(cases
     "solver/grid/matrix.cpp|${spdx}#include <petscksp.h>\n|solver/grid/matrix.cpp:2: <petscksp.h> belongs to PETSc"
     "solver/grid/device.cpp|${spdx}#include <cuda_runtime.h>\n|solver/grid/device.cpp:2: <cuda_runtime.h> belongs to CUDA"
     "solver/grid/command.cpp|${spdx}#include <CLI/CLI.hpp>\n|solver/grid/command.cpp:2: <CLI/CLI.hpp> belongs to CLI11"
+    "verification/unit/rate.cpp|${spdx}#include <benchmark/benchmark.h>\n|verification/unit/rate.cpp:2: <benchmark/benchmark.h> belongs to GoogleBenchmark"
     "solver/grid/license.cpp|#define A 0\n|solver/grid/license.cpp:1: the first line must be"
     "solver/grid/twice.hpp|${spdx}#define A 0\n|solver/grid/twice.hpp:1: a header needs #pragma once"
     "solver/grid/long.cpp|${spdx}${many_lines}|solver/grid/long.cpp:401: 401 lines")

@@ -15,16 +15,18 @@
 
 namespace scree::testing {
 
-/// Particles whose state is a deformation gradient, with every aux field; grid channels 0 and 1 to
-/// read (random) and to write (zero).
+/// Particles whose state is a deformation gradient and perhaps further entries, which are zero,
+/// with every aux field; grid channels 0 and 1 to read (random) and to write (zero).
 template <int D, class T>
 struct BlockScene {
   static constexpr int fields = D + 9;
   static constexpr int width = ParticleStore<D, T>::width;
 
   /// counts: particles of the blocks (0, ..., 0, i), i = 0, 1, ...
-  BlockScene(int lattices, const std::vector<int>& counts, unsigned long long seed)
-      : store(fields, 2 * D + 2 * D * D + 6, padding()), grid(lattices) {
+  BlockScene(int lattices, const std::vector<int>& counts, unsigned long long seed,
+             int further_entries = 0)
+      : store(fields + further_entries, 2 * D + 2 * D * D + 6, padding(further_entries)),
+        grid(lattices) {
     Random random(seed);
     layout = {0, D, D + D * D, D + D * D + 6, D + 2 * D * D + 6, 2 * D + 2 * D * D + 6};
     std::vector<std::uint64_t> keys;
@@ -116,8 +118,8 @@ struct BlockScene {
   std::vector<BlockResult<T>> results;
 
  private:
-  static std::vector<T> padding() {
-    std::vector<T> values(fields, T(0));
+  static std::vector<T> padding(int further_entries) {
+    std::vector<T> values(std::size_t(fields + further_entries), T(0));
     for (int i = 0; i < 3; ++i) values[D + 4 * std::size_t(i)] = T(1);
     return values;
   }
