@@ -42,6 +42,8 @@ void fill(BodySetup& body, const std::array<std::int32_t, 3>& first,
           const std::array<std::int32_t, 3>& cells) {
   const double spacing = cell_size / per_direction;
   body.particle_volume = spacing * spacing * spacing;
+  body.position.reserve(std::size_t(3 * per_direction * per_direction * per_direction) *
+                        std::size_t(cells[0]) * std::size_t(cells[1]) * std::size_t(cells[2]));
   for (int i = 0; i < cells[0] * per_direction; ++i) {
     for (int j = 0; j < cells[1] * per_direction; ++j) {
       for (int k = 0; k < cells[2] * per_direction; ++k) {
@@ -76,6 +78,7 @@ SimulationSetup elastic_case(std::int64_t particles) {
   BodySetup body = make_body("fixed_corotated", 1000, {{"youngs_modulus", 1e6}},
                              {margin, margin, margin}, cells);
   const double k = 2 * std::numbers::pi / (cells[0] * cell_size);
+  body.velocity.reserve(body.position.size());
   for (std::size_t p = 0; p < body.position.size(); p += 3) {
     for (std::size_t a = 0; a < 3; ++a) {
       body.velocity.push_back(0.5 * std::sin(k * body.position[p + (a + 1) % 3]));

@@ -2,15 +2,13 @@
 #include "app/bench_command.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
-#include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <thread>
 
-#include "app/bench_case.hpp"
 #include "app/bench_materials.hpp"
+#include "app/bench_measure.hpp"
+#include "app/bench_suite.hpp"
+#include "app/memory_info.hpp"
 #include "solver/base/error.hpp"
 
 namespace scree {
@@ -29,36 +27,20 @@ struct BenchResult {
   double bytes_per_particle() const { return double(memory.total()) / double(particles); }
 };
 
-std::int64_t peak_memory() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return std::int64_t(usage.ru_maxrss) * 1024;
-}
-
-double run_steps(Simulation& simulation, int steps) {
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < steps; ++i) simulation.step();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 BenchResult measure(const BenchOptions& options) {
-  constexpr int warm_up = 3;
   constexpr double wanted_seconds = 3;
-  SimulationSetup setup = build_bench_case(options);
+  constexpr int least_steps = 10;
+  BenchRun run(options);
   BenchResult result;
-  const int cores = std::max(1, int(std::thread::hardware_concurrency()));
-  result.threads = setup.threads = options.threads > 0 ? options.threads : cores;
-  const auto simulation = Simulation::create(std::move(setup));
-  const double warm_seconds = run_steps(*simulation, warm_up);
-  result.steps = options.steps > 0
-                     ? options.steps
-                     : std::clamp(int(wanted_seconds / warm_seconds * warm_up), 10, 2000);
-  const PhaseTimes before = simulation->phases();
-  result.seconds = run_steps(*simulation, result.steps);
-  result.phases = simulation->phases();
+  result.threads = run.threads();
+  const int enough = run.warm_up(wanted_seconds, least_steps);
+  result.steps = options.steps > 0 ? options.steps : enough;
+  const PhaseTimes before = run.simulation().phases();
+  result.seconds = run.time_steps(result.steps);
+  result.phases = run.simulation().phases();
   for (std::size_t i = 0; i < before.size(); ++i) result.phases[i].second -= before[i].second;
-  result.particles = simulation->particle_count();
-  result.memory = simulation->memory();
+  result.particles = run.simulation().particle_count();
+  result.memory = run.simulation().memory();
   result.max_rss_bytes = peak_memory();
   return result;
 }
@@ -110,6 +92,10 @@ int bench_command(const BenchOptions& options) {
   }
   if (options.material_only) {
     print_material_costs(options.json);
+    return 0;
+  }
+  if (options.suite) {
+    run_bench_suite(options);
     return 0;
   }
   const BenchResult result = measure(options);

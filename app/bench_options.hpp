@@ -17,6 +17,8 @@ struct BenchOptions {
   int threads = 0;                     ///< 0: all cores
   std::string backend = "cpu";         ///< cpu, cuda
   bool material_only = false;          ///< what the laws cost by themselves
+  bool suite = false;                  ///< table of cases, sweep of sizes and memory bandwidth
+  bool quick = false;                  ///< the suite with tiny sizes, to see that it works
   bool json = false;
 };
 

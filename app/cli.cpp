@@ -104,31 +104,45 @@ void add_describe(CommandLine& line) {
   describe.callback([&line] { line.action = [&line] { return describe_command(line.describe); }; });
 }
 
-void add_bench(CommandLine& line) {
-  CLI::App& bench = *line.app.add_subcommand("bench", "Measure particle updates per second");
-  BenchOptions& options = line.bench;
-  const auto choice = [&bench](const char* name, std::string& target,
-                               const std::vector<std::string>& names, const char* doc) {
+/// The options of `bench` that name one case; they exclude the suite.
+void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) {
+  const auto choice = [&](const char* name, std::string& target,
+                          const std::vector<std::string>& names, const char* doc) {
     bench.add_option(name, target, std::string(doc) + " (default: " + target + ")")
         ->check(CLI::IsMember(names))
-        ->type_name(join(names, "|"));
+        ->type_name(join(names, "|"))
+        ->excludes(suite);
   };
   choice("--case", options.case_name, {"elastic", "sand", "fluid"}, "What to simulate");
-  bench.add_option("--particles", options.particles, "About how many (default: 1000000)")
-      ->check(CLI::Range(std::int64_t{8}, std::int64_t{4'000'000'000}))
-      ->type_name("N");
   bench.add_option("--steps", options.steps, "Timed steps (default: enough to measure well)")
       ->check(CLI::Range(1, 1'000'000'000))
-      ->type_name("N");
+      ->type_name("N")
+      ->excludes(suite);
   choice("--precision", options.precision, {"double", "single"}, "Floating-point type");
   choice("--kernel", options.kernel, {"compact", "quadratic"}, "Interpolation kernel");
   choice("--path", options.path, {"fused", "split"}, "How a step is computed");
+  const char* material_doc = "Print ns a particle of each material law by itself, on one core";
+  bench.add_flag("--material-only", options.material_only, material_doc)->excludes(suite);
+}
+
+void add_bench(CommandLine& line) {
+  CLI::App& bench = *line.app.add_subcommand("bench", "Measure particle updates per second");
+  BenchOptions& options = line.bench;
+  auto* suite = bench.add_flag("--suite", options.suite,
+                               "Measure all cases, precisions and kernels, a sweep of sizes and "
+                               "the memory's bandwidth, instead of one case");
+  bench.add_flag("--quick", options.quick, "The suite with tiny sizes, to see that it works")
+      ->needs(suite);
+  add_bench_case(bench, options, suite);
+  bench.add_option("--particles", options.particles, "About how many (default: 1000000)")
+      ->check(CLI::Range(std::int64_t{8}, std::int64_t{4'000'000'000}))
+      ->type_name("N");
   bench.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
-  choice("--backend", options.backend, {"cpu", "cuda"}, "Where to compute");
-  bench.add_flag("--material-only", options.material_only,
-                 "Print ns a particle of each material law by itself, on one core");
+  bench.add_option("--backend", options.backend, "Where to compute (default: cpu)")
+      ->check(CLI::IsMember({"cpu", "cuda"}))
+      ->type_name("cpu|cuda");
   bench.add_flag("--json", options.json, "Print one JSON object and nothing else");
   bench.callback([&line] { line.action = [&line] { return bench_command(line.bench); }; });
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "app/machine_info.hpp"
 #include "generated/build_info.hpp"
 #include "materials/registry.hpp"
 #include "solver/base/problems.hpp"
@@ -15,23 +16,6 @@
 
 namespace scree {
 namespace {
-
-/// The widest vector instructions that this build may use.
-const char* instruction_set() {
-#if defined(__AVX512F__)
-  return "AVX-512";
-#elif defined(__AVX2__)
-  return "AVX2";
-#elif defined(__AVX__)
-  return "AVX";
-#elif defined(__SSE4_2__)
-  return "SSE4.2";
-#elif defined(__ARM_NEON)
-  return "NEON";
-#else
-  return "baseline";
-#endif
-}
 
 std::string options_text() {
   std::vector<std::string> options;

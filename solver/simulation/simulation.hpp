@@ -87,6 +87,14 @@ struct MemoryReport {
   std::int64_t total() const { return particles + grid + other; }
 };
 
+/// Bytes that one step loads and stores in particle fields and grid nodes; caches may serve part
+/// of the grid's.
+struct StepTraffic {
+  std::int64_t particles = 0;
+  std::int64_t grid = 0;
+  std::int64_t total() const { return particles + grid; }
+};
+
 /// Wall-clock seconds spent in the phases of all steps so far.
 using PhaseTimes = std::vector<std::pair<std::string, double>>;
 
@@ -124,6 +132,7 @@ class Simulation {
   virtual std::int64_t block_count() const = 0;  ///< active grid blocks
   virtual MemoryReport memory() const = 0;
   virtual PhaseTimes phases() const = 0;
+  virtual StepTraffic traffic() const { return {}; }  ///< of a fused step; 0 where it is split
 };
 
 }  // namespace scree

@@ -53,6 +53,7 @@ class SimulationImpl final : public Simulation {
   std::int64_t block_count() const override { return grid_.topology().size(); }
   MemoryReport memory() const override;
   PhaseTimes phases() const override;
+  StepTraffic traffic() const override;
 
  private:
   using State = BodyState<D, T>;

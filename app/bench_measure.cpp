@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/bench_measure.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "app/bench_case.hpp"
+
+namespace scree {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+BenchRun::BenchRun(const BenchOptions& options) : options_(options) {
+  const auto start = Clock::now();
+  SimulationSetup setup = build_bench_case(options);
+  const int cores = std::max(1, int(std::thread::hardware_concurrency()));
+  threads_ = setup.threads = options.threads > 0 ? options.threads : cores;
+  simulation_ = Simulation::create(std::move(setup));
+  set_up_seconds_ = seconds_since(start);
+}
+
+double BenchRun::time_steps(int steps) {
+  const auto start = Clock::now();
+  for (int i = 0; i < steps; ++i) simulation_->step();
+  return seconds_since(start);
+}
+
+int BenchRun::warm_up(double seconds, int least) {
+  constexpr int steps = 3;
+  const double spent = time_steps(steps);
+  return std::clamp(int(std::min(seconds / spent * steps, 1e6)), least, std::max(least, 2000));
+}
+
+BestMedian best_and_median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return {values[0], 0.5 * (values[(n - 1) / 2] + values[n / 2])};
+}
+
+std::vector<StepCost> measure_by_turns(const std::vector<BenchRun*>& runs, const RepeatPlan& plan) {
+  std::vector<StepCost> costs(runs.size());
+  std::vector<std::vector<double>> ns(runs.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    costs[i].steps = runs[i]->warm_up(plan.seconds, plan.least_steps);
+  }
+  for (int repeat = 0; repeat < plan.repeats; ++repeat) {
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const double updates =
+          double(runs[i]->simulation().particle_count()) * double(costs[i].steps);
+      ns[i].push_back(1e9 * runs[i]->time_steps(costs[i].steps) / updates);
+    }
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const Simulation& simulation = runs[i]->simulation();
+    costs[i].particles = simulation.particle_count();
+    costs[i].threads = runs[i]->threads();
+    costs[i].ns_per_particle = best_and_median(ns[i]);
+    costs[i].bytes_per_particle = double(simulation.memory().total()) / double(costs[i].particles);
+    costs[i].traffic = simulation.traffic();
+  }
+  return costs;
+}
+
+}  // namespace scree
