@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every line of materials/list.def must do. checks.hpp says what is measured, this file what
-// is allowed and why; negative_controls_test.cpp that each check can fail.
+// is allowed and why; elastic_controls_test.cpp and plastic_controls_test.cpp that each check can
+// fail.
 #include <gtest/gtest.h>
 
 #include "materials/typical_input.hpp"
