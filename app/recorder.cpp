@@ -50,7 +50,7 @@ void Recorder::start(const Simulation& simulation, const std::vector<std::string
 
 void Recorder::resume(const Simulation& simulation, const StateReader& checkpoint,
                       const std::vector<std::string>& collider_names) {
-  saved_step_ = simulation.step_count();
+  taken_step_ = simulation.step_count();
   saved_time_ = simulation.time();
   particles_.resume(checkpoint.get<double>("run/particle_frame_times"));
   grid_.resume(checkpoint.get<double>("run/grid_frame_times"));
@@ -59,38 +59,53 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
 }
 
 void Recorder::record(const Simulation& simulation) {
+  queue_.check();
   const double time = simulation.time();
-  if (!schedule_.history_due(time) && !schedule_.frame_due(time) &&
-      !schedule_.checkpoint_due(time)) {
-    return;
-  }
+  const bool row = schedule_.history_due(time);
+  const bool frame = schedule_.frame_due(time) && output_.format != FrameFormat::none;
+  const bool checkpoint = schedule_.checkpoint_due(time);
+  if (!row && !frame && !checkpoint) return;
   const Stopwatch watch(seconds_);
-  write_due(simulation);
+  if (row) take_row(simulation);
+  if (frame) take_frames(simulation);
+  if (checkpoint) take_checkpoint(simulation);
 }
 
-void Recorder::write_due(const Simulation& simulation) {
-  const double time = simulation.time();
-  if (schedule_.history_due(time)) {
-    history_->add(simulation.history());
-    history_time_ = time;
-  }
-  if (schedule_.frame_due(time)) write_frames(simulation);
-  if (schedule_.checkpoint_due(time)) write_checkpoint(simulation);
+void Recorder::take_row(const Simulation& simulation) {
+  queue_.add(JobSize::small, [this, row = simulation.history()] {
+    history_->add(row);
+    history_time_ = row.time;
+  });
 }
 
-void Recorder::write_frames(const Simulation& simulation) {
-  if (output_.format == FrameFormat::none) return;
-  particles_.add(simulation.particles(output_.fields));
-  if (output_.grid) grid_.add(simulation.grid());
+void Recorder::take_frames(const Simulation& simulation) {
+  queue_.wait_for_room(JobSize::large);
+  std::vector<GridSnapshot> lattices;
+  if (output_.grid) lattices = simulation.grid();
+  queue_.add(JobSize::large, [this, particles = simulation.particles(output_.fields),
+                              lattices = std::move(lattices)] {
+    particles_.add(particles);
+    grid_.add(lattices);  // nothing where there is none
+  });
 }
 
 void Recorder::save(const Simulation& simulation) {
-  if (saved_step_ == simulation.step_count()) return;
+  if (taken_step_ == simulation.step_count()) return;
   const Stopwatch watch(seconds_);
-  write_checkpoint(simulation);
+  take_checkpoint(simulation);
 }
 
-void Recorder::write_checkpoint(const Simulation& simulation) {
+void Recorder::take_checkpoint(const Simulation& simulation) {
+  queue_.wait_for_room(JobSize::large);
+  StateBuffer state;
+  simulation.save(state);
+  queue_.add(JobSize::large, [this, state = std::move(state), time = simulation.time()] {
+    write_checkpoint(state, time);
+  });
+  taken_step_ = simulation.step_count();
+}
+
+void Recorder::write_checkpoint(const StateBuffer& state, double time) {
   // Rows before the checkpoint are on the disk before it is: a continued run needs them.
   history_->sync();
   CheckpointWriter out(checkpoint_path_);
@@ -99,13 +114,19 @@ void Recorder::write_checkpoint(const Simulation& simulation) {
   out.put_text("run/version", identity_.version);
   out.put("run/particle_frame_times", particles_.times());
   out.put("run/grid_frame_times", grid_.times());
-  simulation.save(out);
+  state.replay(out);
   out.commit();
-  saved_step_ = simulation.step_count();
-  saved_time_ = simulation.time();
+  saved_time_ = time;
 }
 
-std::string Recorder::kept() const {
+void Recorder::flush() {
+  const Stopwatch watch(seconds_);
+  queue_.drain();
+  queue_.check();
+}
+
+std::string Recorder::kept() {
+  queue_.drain();
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
   if (!particles_.times().empty()) {

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "app/output_queue.hpp"
 #include "app/run_folder.hpp"
 #include "solver/io/frame_series.hpp"
 #include "solver/io/history_writer.hpp"
 #include "solver/io/output_spec.hpp"
+#include "solver/io/state_buffer.hpp"
 #include "solver/simulation/schedule.hpp"
 #include "solver/simulation/simulation.hpp"
 
@@ -22,6 +24,9 @@ struct RunIdentity {
 };
 
 /// Writes the files of a run while it goes: rows, frames and checkpoints when they are due.
+///
+/// The caller only copies the state; a thread of the recorder writes the copies, in order. A write
+/// that fails is thrown by the next call, and nothing is written after it.
 class Recorder {
  public:
   Recorder(const RunFolder& folder, OutputSpec output, bool checkpoints, Schedule schedule,
@@ -36,33 +41,43 @@ class Recorder {
   void resume(const Simulation& simulation, const StateReader& checkpoint,
               const std::vector<std::string>& collider_names);
 
-  /// Writes whatever is due at the simulation's time. Throws RunFault.
+  /// Takes whatever is due at the simulation's time. Throws RunFault, also for an earlier write.
   void record(const Simulation& simulation);
 
-  /// Writes a checkpoint, unless the last one is of this very step. Throws RunFault.
+  /// Takes a checkpoint, unless the last one is of this very step. Throws as record().
   void save(const Simulation& simulation);
 
-  bool keeps_checkpoints() const { return checkpoints_; }
-  double seconds() const { return seconds_; }  ///< wall time spent here
+  /// Returns when all that was taken is written. Throws RunFault if a write failed.
+  void flush();
 
-  /// What can be read in the folder now, as the end of a sentence: "frame ... (t = 0.1 s), ...".
-  std::string kept() const;
+  bool keeps_checkpoints() const { return checkpoints_; }
+  /// Wall time that the caller spent here: on copies, and waiting for files.
+  double seconds() const { return seconds_; }
+
+  /// What can be read in the folder after all that was taken is written, as the end of a sentence:
+  /// "frame ... (t = 0.1 s), ...". Throws nothing where a write failed.
+  std::string kept();
 
  private:
-  void write_due(const Simulation& simulation);
-  void write_frames(const Simulation& simulation);
-  void write_checkpoint(const Simulation& simulation);
+  void take_row(const Simulation& simulation);
+  void take_frames(const Simulation& simulation);
+  void take_checkpoint(const Simulation& simulation);
+  void write_checkpoint(const StateBuffer& state, double time);
 
   std::filesystem::path folder_, history_path_, checkpoint_path_;
   OutputSpec output_;
   bool checkpoints_;
   Schedule schedule_;
   RunIdentity identity_;
+  std::int64_t taken_step_ = -1;  ///< of the last checkpoint taken
+  double seconds_ = 0;
+
+  // From start() or resume() on only jobs use these; others may after the queue was drained.
   FrameSeries particles_, grid_;
   std::optional<HistoryWriter> history_;
   std::optional<double> history_time_, saved_time_;  ///< s, of the last row and checkpoint
-  std::int64_t saved_step_ = -1;
-  double seconds_ = 0;
+
+  OutputQueue queue_;  ///< last: its jobs use what is above
 };
 
 /// Checks that a checkpoint belongs to this deck, backend and version. Throws UserError naming

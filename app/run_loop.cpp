@@ -16,10 +16,8 @@ std::optional<RunEnd> reached(const Simulation& simulation, const Schedule& sche
   return std::nullopt;
 }
 
-}  // namespace
-
-RunEnd run_loop(Simulation& simulation, const Schedule& schedule, Recorder& recorder,
-                const RunLimits& limits, const std::function<void()>& after_step) {
+RunEnd step_and_record(Simulation& simulation, const Schedule& schedule, Recorder& recorder,
+                       const RunLimits& limits, const std::function<void()>& after_step) {
   std::int64_t steps = 0;
   std::optional<RunEnd> end;
   while (!(end = reached(simulation, schedule, limits, steps))) {
@@ -30,6 +28,20 @@ RunEnd run_loop(Simulation& simulation, const Schedule& schedule, Recorder& reco
   }
   if (*end != RunEnd::end_time || recorder.keeps_checkpoints()) recorder.save(simulation);
   return *end;
+}
+
+}  // namespace
+
+RunEnd run_loop(Simulation& simulation, const Schedule& schedule, Recorder& recorder,
+                const RunLimits& limits, const std::function<void()>& after_step) {
+  try {
+    const RunEnd end = step_and_record(simulation, schedule, recorder, limits, after_step);
+    recorder.flush();
+    return end;
+  } catch (...) {
+    recorder.flush();
+    throw;
+  }
 }
 
 }  // namespace scree

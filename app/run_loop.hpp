@@ -23,7 +23,8 @@ struct RunLimits {
 
 /// Steps, recording what is due, to the end or to a limit; at a limit, and at the end of a run
 /// that keeps checkpoints, a checkpoint is written. `after_step` is called after every step.
-/// Throws RunFault.
+/// All that was recorded is written on return, and before a RunFault is thrown; where a write
+/// failed, the fault is that of the write, for it came first.
 RunEnd run_loop(Simulation& simulation, const Schedule& schedule, Recorder& recorder,
                 const RunLimits& limits, const std::function<void()>& after_step);
 

@@ -11,6 +11,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/memory_archive.hpp"
+#include "solver/io/state_buffer.hpp"
 #include "verification/support/file_size_limit.hpp"
 #include "verification/support/temporary_folder.hpp"
 
@@ -81,6 +82,25 @@ TEST(Checkpoint, MemoryGivesBackTheBits) {
   MemoryArchive archive;
   put_sample(archive);
   expect_sample(archive);
+}
+
+TEST(Checkpoint, ABufferHandsOnTheBits) {
+  StateBuffer buffer;
+  put_sample(buffer);
+  MemoryArchive archive;
+  buffer.replay(archive);
+  expect_sample(archive);
+}
+
+TEST(Checkpoint, ABufferedFileIsTheSameFile) {
+  const TemporaryFolder folder;
+  write_checkpoint(folder / "direct.h5");
+  StateBuffer buffer;
+  put_sample(buffer);
+  CheckpointWriter out(folder / "buffered.h5");
+  buffer.replay(out);
+  out.commit();
+  EXPECT_TRUE(read_text(folder / "direct.h5") == read_text(folder / "buffered.h5"));
 }
 
 TEST(Checkpoint, FileGivesBackTheBits) {

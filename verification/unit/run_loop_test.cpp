@@ -15,6 +15,7 @@
 #include "solver/io/checkpoint.hpp"
 #include "verification/support/fake_simulation.hpp"
 #include "verification/support/file_size_limit.hpp"
+#include "verification/support/process.hpp"
 #include "verification/support/temporary_folder.hpp"
 
 namespace scree {
@@ -133,9 +134,14 @@ TEST_F(RunLoopTest, AKilledRunIsReadableAndGoesOnBitwise) {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-      run(part(), FolderMode::fresh, {}, [last](FakeSimulation& simulation) {
-        simulation.before_step = [last](std::int64_t step) {
-          if (step == last) raise(SIGKILL);
+      run(part(), FolderMode::fresh, {}, [this, last](FakeSimulation& simulation) {
+        simulation.before_step = [this, last](std::int64_t step) {
+          // The step after a checkpoint was taken; killed before it is written, the run would have
+          // none to go on from.
+          if (step != last || !wait_for([this] { return fs::exists(part() / "checkpoint.h5"); })) {
+            return;
+          }
+          raise(SIGKILL);
         };
       });
       _exit(0);
@@ -177,6 +183,52 @@ TEST_F(RunLoopTest, AFullDiskLeavesTheLastGoodFiles) {
   }
   EXPECT_EQ(run(part(), FolderMode::resume), RunEnd::end_time);
   expect_same_run(whole(), part());
+}
+
+/// With the start of a run unwritten when the simulation fails, the write's fault came first.
+TEST_F(RunLoopTest, AFailedWriteOfTheThreadComesBeforeALaterFault) {
+  const RunFolder folder = RunFolder::open(part(), FolderMode::fresh);
+  FakeSimulation simulation(schedule(), stable, 50);
+  simulation.before_step = [](std::int64_t) { throw RunFault("step 1: particle 7"); };
+  Recorder recorder(folder, output(), true, schedule(), identity);
+  std::string fault = "none";
+  {
+    const FileSizeLimit limit(fs::file_size(whole() / "frames/particles_000000.vtu") / 2);
+    recorder.start(simulation, {});
+    try {
+      run_loop(simulation, schedule(), recorder, {}, [] {});
+    } catch (const RunFault& first) {
+      fault = first.what();
+    }
+  }
+  EXPECT_EQ(fault, "cannot write " + (part() / "frames/particles_000000.vtu").string() +
+                       ": File too large");
+  EXPECT_EQ(recorder.kept(), "history.csv (to t = 0 s)");
+  EXPECT_EQ(contents(part()).size(), 1u);  // history.csv
+}
+
+/// A fault of the simulation leaves every row, frame and checkpoint before it.
+TEST_F(RunLoopTest, TheThreadWritesAllThatCameBeforeAFault) {
+  const RunFolder folder = RunFolder::open(part(), FolderMode::fresh);
+  FakeSimulation simulation(schedule(), stable, 50);
+  // The step after t = 0.5 s, an event of all three kinds.
+  simulation.before_step = [&](std::int64_t) {
+    if (simulation.time() >= 0.5) throw RunFault("particle 7");
+  };
+  Recorder recorder(folder, output(), true, schedule(), identity);
+  recorder.start(simulation, {});
+  EXPECT_THROW(run_loop(simulation, schedule(), recorder, {}, [] {}), RunFault);
+  const auto files = contents(part());  // before anything else waits for the thread
+  EXPECT_TRUE(files.contains("frames/particles_000005.vtu"));
+  EXPECT_TRUE(files.contains("frames/grid_000005.vti"));
+  EXPECT_EQ(std::count(files.at("history.csv").begin(), files.at("history.csv").end(), '\n'),
+            1 + 251);
+  const CheckpointReader checkpoint(part() / "checkpoint.h5");
+  EXPECT_EQ(checkpoint.get<double>("simulation/clock").at(0), 0.5);
+  EXPECT_EQ(checkpoint.get<double>("run/particle_frame_times").size(), 6u);
+  EXPECT_EQ(recorder.kept(),
+            "frames/particles_000005.vtu (t = 0.5 s), history.csv (to t = 0.5 s), checkpoint.h5 "
+            "(t = 0.5 s)");
 }
 
 TEST_F(RunLoopTest, ResumeNamesWhatChanged) {
