@@ -33,9 +33,9 @@ Outcome collide(int dimension, const Method& method) {
   return {state_of(*simulation), simulation->history()};
 }
 
-class Precision : public ::testing::TestWithParam<int> {};  // the dimension
+class PrecisionTest : public ::testing::TestWithParam<int> {};  // the dimension
 
-TEST_P(Precision, single_follows_double) {
+TEST_P(PrecisionTest, single_follows_double) {
   for (PathType path : {PathType::fused, PathType::split}) {
     Method method;
     method.path = path;
@@ -50,7 +50,7 @@ TEST_P(Precision, single_follows_double) {
   }
 }
 
-TEST_P(Precision, fused_equals_split_to_rounding) {
+TEST_P(PrecisionTest, fused_equals_split_to_rounding) {
   for (KernelType kernel : {KernelType::compact, KernelType::quadratic}) {
     Method method;
     method.kernel = kernel;
@@ -64,7 +64,7 @@ TEST_P(Precision, fused_equals_split_to_rounding) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(dimensions, Precision, ::testing::Values(2, 3));
+INSTANTIATE_TEST_SUITE_P(dimensions, PrecisionTest, ::testing::Values(2, 3));
 
 }  // namespace
 }  // namespace scree::testing
