@@ -14,7 +14,7 @@
 #include "materials/cone_match.hpp"
 #include "materials/consistent_history.hpp"
 #include "materials/friction_hardening.hpp"
-#include "materials/hencky_elasticity.hpp"
+#include "materials/hencky_solid.hpp"
 
 namespace scree {
 
@@ -25,7 +25,7 @@ namespace scree {
 /// compression ends free of stress. With the keys h0 to h3 the friction angle depends on the
 /// plastic shear strain q of the same step (the paper: of the steps before), and opening does not
 /// count in q; the tip stays where the first friction angle puts it.
-struct DruckerPrager {
+struct DruckerPrager : HenckySolid {
   static constexpr const char* name = "drucker_prager";
   static constexpr bool effective_stress = true;
 
@@ -179,21 +179,6 @@ struct DruckerPrager {
     }
     const V stiffness = detail::hencky_stiffness(p.lambda, p.mu, bounds) + flow;
     return sqrt(stiffness * (T(1) / p.density));
-  }
-
-  template <class V, class T>
-  SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    return detail::hencky_energy(p.lambda, p.mu, s.F);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
-    return exp(s.log_volume_ratio);
-  }
-
-  template <class V, class T>
-  SCREE_FN static MaskOf<V> admissible(const Params<T>&, const State<V>& s) {
-    return det(s.F) > detail::PolarLimits<T>::det_min;
   }
 
  private:

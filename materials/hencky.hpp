@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "materials/elastic_keys.hpp"
-#include "materials/hencky_elasticity.hpp"
+#include "materials/hencky_solid.hpp"
 
 namespace scree {
 
 /// psi = mu |ln S|^2 + lambda/2 (ln J)^2,  tau = U diag(2 mu ln S_i + lambda ln J) U^T.
-struct Hencky {
+struct Hencky : HenckySolid {
   static constexpr const char* name = "hencky";
   static constexpr bool effective_stress = true;
 
@@ -60,27 +60,6 @@ struct Hencky {
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T /*dt*/) {
     const auto trial = detail::hencky_trial(s.F, s.log_volume_ratio, L);
     return detail::hencky_stress(p.lambda, p.mu, trial.axes, trial.strain);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    const V stiffness = detail::hencky_stiffness(p.lambda, p.mu, detail::strain_bounds(s.F));
-    return sqrt(stiffness * (T(1) / p.density));
-  }
-
-  template <class V, class T>
-  SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    return detail::hencky_energy(p.lambda, p.mu, s.F);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
-    return exp(s.log_volume_ratio);
-  }
-
-  template <class V, class T>
-  SCREE_FN static MaskOf<V> admissible(const Params<T>&, const State<V>& s) {
-    return det(s.F) > detail::PolarLimits<T>::det_min;
   }
 };
 

@@ -3,19 +3,17 @@
 /// Weakly compressible fluid that remembers its volume ratio only.
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 
-#include "materials/material.hpp"
-#include "solver/base/math.hpp"
+#include "materials/compressible_fluid.hpp"
 
 namespace scree {
 
 /// p = B (J^-gamma - 1), tau = J (eta (grad v + grad v^T) - p I). The bulk modulus at small strain
 /// is B gamma. Tension is not cut off.
-struct JFluid {
+struct JFluid : CompressibleFluid {
   static constexpr const char* name = "j_fluid";
 
   struct Input {
@@ -67,18 +65,6 @@ struct JFluid {
             T(density),         T(in.initial_j - 1), T(lowest_volume_ratio(in.gamma) - 1)};
   }
 
-  /// J - 1 instead of J: in single precision the increments of a step would be lost in J.
-  template <class V>
-  struct State {
-    V volume_strain;
-    Sym3<V> strain_rate;  ///< of the last step, for the output of the viscous stress
-  };
-
-  static std::vector<StateField> fields() {
-    return {{"volume_strain", 1, "1", "J - 1.", true},
-            {"strain_rate", 6, "1/s", "Symmetric velocity gradient of the last step.", true}};
-  }
-
   template <class V, class T>
   SCREE_FN static State<V> initial(const Params<T>& p) {
     const V o = broadcast<V>(0);
@@ -87,56 +73,28 @@ struct JFluid {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T dt) {
-    s.volume_strain = s.volume_strain + (s.volume_strain + T(1)) * trace(L);
-    if (dt > T(0)) s.strain_rate = sym(L) * broadcast<V>(T(1) / dt);
-    const V j = max(s.volume_strain, broadcast<V>(p.lowest));
+    advance(s, L, trace(L), dt);
+    const V j = bounded_strain(p, s);
     const V J = j + T(1);
-    const V pressure = p.bulk * expm1(-p.gamma * log1p(j));
+    const V pressure = p.bulk * relative_pressure(p, j);
     return detail::plus_diagonal(s.strain_rate * (J * (T(2) * p.viscosity)), -(J * pressure));
   }
 
-  /// Sound: rho c^2 = -J dp/dJ, hence rho0 c^2 = B gamma J^(1 - gamma). Viscosity limits the step
-  /// by diffusion, not through a speed: see momentum_diffusivity().
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    const V j = max(s.volume_strain, broadcast<V>(p.lowest));
-    return exp((T(0.5) * (T(1) - p.gamma)) * log1p(j)) * sqrt(p.bulk * p.gamma / p.density);
+    return sound_speed(p, s, p.bulk * p.gamma);
   }
 
   /// Of longitudinal motion, the fastest: 2 eta/rho, for the viscous stress is not a deviator.
   template <class V, class T>
   SCREE_FN static V momentum_diffusivity(const Params<T>& p, const State<V>& s) {
-    const V J = max(s.volume_strain + T(1), broadcast<V>(T(0)));
-    return (T(2) * p.viscosity / p.density) * J;
+    return diffusivity(p, s, T(2));
   }
 
-  /// Integral of -p dJ from J = 1: B ((J^(1-gamma) - 1)/(gamma - 1) + J - 1), and B (J - 1 - ln J)
-  /// for gamma = 1.
+  /// Integral of -p dJ from J = 1.
   template <class V, class T>
   SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    const V j = max(s.volume_strain, broadcast<V>(p.lowest));
-    const V logarithm = log1p(j);
-    const T power = p.gamma - T(1);
-    if (abs(power) < T(1e-6)) return p.bulk * (j - logarithm);
-    return p.bulk * (expm1(-power * logarithm) * (T(1) / power) + j);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
-    return s.volume_strain + T(1);
-  }
-
-  template <class V, class T>
-  SCREE_FN static MaskOf<V> admissible(const Params<T>& p, const State<V>& s) {
-    return s.volume_strain > p.lowest;
-  }
-
- private:
-  /// Where the pressure has reached e^40 B, or 1e-6: beyond any fluid, and still a number in single
-  /// precision.
-  static double lowest_volume_ratio(double gamma) {
-    const double ratio = std::exp(-40 / gamma);
-    return ratio > 1e-6 ? ratio : 1e-6;
+    return p.bulk * relative_energy(p, bounded_strain(p, s));
   }
 };
 

@@ -9,7 +9,7 @@
 
 #include "materials/consistent_history.hpp"
 #include "materials/elastic_keys.hpp"
-#include "materials/hencky_elasticity.hpp"
+#include "materials/hencky_solid.hpp"
 #include "materials/mohr_coulomb_return.hpp"
 
 namespace scree {
@@ -18,7 +18,7 @@ namespace scree {
 /// principal Kirchhoff stresses, tension positive; flow with the dilation angle on the pyramid,
 /// associated on the cut-off. Friction, cohesion and dilation may fall linearly with the equivalent
 /// plastic strain to residual values. Friction zero is Tresca's law.
-struct MohrCoulomb {
+struct MohrCoulomb : HenckySolid {
   static constexpr const char* name = "mohr_coulomb";
   static constexpr bool effective_stress = true;
 
@@ -126,21 +126,6 @@ struct MohrCoulomb {
     }
     const V stiffness = detail::hencky_stiffness(p.lambda, p.mu, bounds) + flow;
     return sqrt(stiffness * (T(1) / p.density));
-  }
-
-  template <class V, class T>
-  SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    return detail::hencky_energy(p.lambda, p.mu, s.F);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
-    return exp(s.log_volume_ratio);
-  }
-
-  template <class V, class T>
-  SCREE_FN static MaskOf<V> admissible(const Params<T>&, const State<V>& s) {
-    return det(s.F) > detail::PolarLimits<T>::det_min;
   }
 
  private:

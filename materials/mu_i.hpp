@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "materials/elastic_keys.hpp"
-#include "materials/hencky_elasticity.hpp"
+#include "materials/hencky_solid.hpp"
 
 namespace scree {
 
@@ -24,7 +24,7 @@ namespace scree {
 /// zero) are free of stress; the volume they have gained is remembered and must be given back
 /// before they touch again, as in DruckerPrager. The solid fraction is density/(grain_density J);
 /// it does not depend on I.
-struct MuI {
+struct MuI : HenckySolid {
   static constexpr const char* name = "mu_i";
 
   struct Input {
@@ -125,11 +125,6 @@ struct MuI {
     return sqrt((stiffness + p.flow_stiffness) * (T(1) / p.density));
   }
 
-  template <class V, class T>
-  SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    return detail::hencky_energy(p.lambda, p.mu, s.F);
-  }
-
   /// (|tau| - mu_2 p)/mu, mu the shear modulus: distance to the surface of the fastest flow, which
   /// no state exceeds. (Slower flow lies between mu_s p and mu_2 p.)
   template <class V, class T>
@@ -142,16 +137,6 @@ struct MuI {
   template <class V, class T>
   SCREE_FN static V void_ratio(const Params<T>& p, const State<V>& s) {
     return p.grain_volume * exp(s.log_volume_ratio) - T(1);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
-    return exp(s.log_volume_ratio);
-  }
-
-  template <class V, class T>
-  SCREE_FN static MaskOf<V> admissible(const Params<T>&, const State<V>& s) {
-    return det(s.F) > detail::PolarLimits<T>::det_min;
   }
 
  private:

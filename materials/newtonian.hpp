@@ -3,13 +3,10 @@
 /// Weakly compressible Newtonian fluid.
 #pragma once
 
-#include <cmath>
 #include <limits>
-#include <optional>
-#include <string>
 
+#include "materials/compressible_fluid.hpp"
 #include "materials/log_determinant.hpp"
-#include "materials/material.hpp"
 
 namespace scree {
 
@@ -19,7 +16,7 @@ namespace scree {
 /// Differences to JFluid: bulk_modulus is the bulk modulus at rest itself, not a prefactor; the
 /// viscous stress is deviatoric (Stokes' hypothesis), so that a change of volume makes pressure
 /// only; J is multiplied by det(I + L), hence exactly that of the motion; tension may be cut off.
-struct Newtonian {
+struct Newtonian : CompressibleFluid {
   static constexpr const char* name = "newtonian";
 
   struct Input {
@@ -48,18 +45,6 @@ struct Newtonian {
             T(in.tension ? -1 : 0)};
   }
 
-  /// J - 1 instead of J: in single precision the increments of a step would be lost in J.
-  template <class V>
-  struct State {
-    V volume_strain;
-    Sym3<V> strain_rate;  ///< of the last step, for the output of the viscous stress
-  };
-
-  static std::vector<StateField> fields() {
-    return {{"volume_strain", 1, "1", "J - 1.", true},
-            {"strain_rate", 6, "1/s", "Symmetric velocity gradient of the last step.", true}};
-  }
-
   template <class V, class T>
   SCREE_FN static State<V> initial(const Params<T>&) {
     const V o = broadcast<V>(0);
@@ -68,58 +53,31 @@ struct Newtonian {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T dt) {
-    s.volume_strain = s.volume_strain + (s.volume_strain + T(1)) * detail::volume_growth(L);
-    if (dt > T(0)) s.strain_rate = sym(L) * broadcast<V>(T(1) / dt);
-    const V j = max(s.volume_strain, broadcast<V>(p.lowest));
+    advance(s, L, detail::volume_growth(L), dt);
+    const V j = bounded_strain(p, s);
     const V J = j + T(1);
-    const V pressure = max(expm1(-p.gamma * log1p(j)), broadcast<V>(p.weakest));
+    const V pressure = max(relative_pressure(p, j), broadcast<V>(p.weakest));
     return detail::plus_diagonal(deviator(s.strain_rate) * (J * (T(2) * p.viscosity)),
                                  -(J * pressure) * (p.bulk / p.gamma));
   }
 
-  /// Sound: rho c^2 = -J dp/dJ, hence rho0 c^2 = K J^(1 - gamma). Viscosity limits the step by
-  /// diffusion, not through a speed: see momentum_diffusivity().
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    const V j = max(s.volume_strain, broadcast<V>(p.lowest));
-    return exp((T(0.5) * (T(1) - p.gamma)) * log1p(j)) * sqrt(p.bulk / p.density);
+    return sound_speed(p, s, p.bulk);
   }
 
   /// Of longitudinal motion, the fastest: 4/3 eta/rho.
   template <class V, class T>
   SCREE_FN static V momentum_diffusivity(const Params<T>& p, const State<V>& s) {
-    const V J = max(s.volume_strain + T(1), broadcast<V>(T(0)));
-    return (T(4.0 / 3.0) * p.viscosity / p.density) * J;
+    return diffusivity(p, s, T(4.0 / 3.0));
   }
 
-  /// Integral of -p dJ from J = 1: K/gamma ((J^(1-gamma) - 1)/(gamma - 1) + J - 1), and K (J - 1 -
-  /// ln J) for gamma = 1; nothing beyond J = 1 where tension is cut off.
+  /// Integral of -p dJ from J = 1; nothing beyond J = 1 where tension is cut off.
   template <class V, class T>
   SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    V j = max(s.volume_strain, broadcast<V>(p.lowest));
+    V j = bounded_strain(p, s);
     if (p.weakest == T(0)) j = min(j, broadcast<V>(T(0)));
-    const V logarithm = log1p(j);
-    const T power = p.gamma - T(1), scale = p.bulk / p.gamma;
-    if (abs(power) < T(1e-6)) return scale * (j - logarithm);
-    return scale * (expm1(-power * logarithm) * (T(1) / power) + j);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
-    return s.volume_strain + T(1);
-  }
-
-  template <class V, class T>
-  SCREE_FN static MaskOf<V> admissible(const Params<T>& p, const State<V>& s) {
-    return s.volume_strain > p.lowest;
-  }
-
- private:
-  /// Where the pressure has reached e^40 K/gamma, or 1e-6: beyond any fluid, and still a number in
-  /// single precision.
-  static double lowest_volume_ratio(double gamma) {
-    const double ratio = std::exp(-40 / gamma);
-    return ratio > 1e-6 ? ratio : 1e-6;
+    return (p.bulk / p.gamma) * relative_energy(p, j);
   }
 };
 

@@ -8,13 +8,13 @@
 #include <limits>
 
 #include "materials/elastic_keys.hpp"
-#include "materials/hencky_elasticity.hpp"
+#include "materials/hencky_solid.hpp"
 
 namespace scree {
 
 /// |dev tau| <= sqrt(2/3) (Y + H eps_p), associated flow; Y and H are those of a uniaxial test in
 /// Kirchhoff stress and logarithmic strain.
-struct VonMises {
+struct VonMises : HenckySolid {
   static constexpr const char* name = "von_mises";
   static constexpr bool effective_stress = true;
 
@@ -104,28 +104,6 @@ struct VonMises {
   SCREE_FN static V yield_value(const Params<T>& p, const State<V>& s) {
     const detail::StrainDeviator<V> shear(detail::principal_strain(s.F).strain);
     return shear.length - p.radius - p.hardening * s.equivalent_plastic_strain;
-  }
-
-  /// Flow is associated and hardening not negative: never stiffer than elasticity.
-  template <class V, class T>
-  SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    const V stiffness = detail::hencky_stiffness(p.lambda, p.mu, detail::strain_bounds(s.F));
-    return sqrt(stiffness * (T(1) / p.density));
-  }
-
-  template <class V, class T>
-  SCREE_FN static V energy_density(const Params<T>& p, const State<V>& s) {
-    return detail::hencky_energy(p.lambda, p.mu, s.F);
-  }
-
-  template <class V, class T>
-  SCREE_FN static V volume_ratio(const Params<T>&, const State<V>& s) {
-    return exp(s.log_volume_ratio);
-  }
-
-  template <class V, class T>
-  SCREE_FN static MaskOf<V> admissible(const Params<T>&, const State<V>& s) {
-    return det(s.F) > detail::PolarLimits<T>::det_min;
   }
 };
 
