@@ -33,11 +33,12 @@ struct CamClayEnd {
 
 namespace detail {
 
-/// The equation of the return. Unknown: t = q/(M p), the stress ratio over that of the critical
-/// state. On the yield surface pc/p = 1 + t^2. With d the growth of ln pc, the volume is held: d =
-/// (kappa/lambda)(ln(p/pc) of the trial + ln(1 + t^2)); the plastic volume strain is (lambda -
-/// kappa) d/v, the plastic shear strain that times 2 t/(M (1 - t^2)) (associated flow). Then q* - q
-/// = 3 G times the plastic shear strain reads g(t) = 0 with
+/// The equation of the return, (5) of docs/materials/modified_cam_clay.md. Unknown: t = q/(M p),
+/// the stress ratio over that of the critical state. On the yield surface pc/p = 1 + t^2. With d
+/// the growth of ln pc, the volume is held: d = (kappa/lambda)(ln(p/pc) of the trial + ln(1 +
+/// t^2)); the plastic volume strain is (lambda - kappa) d/v, the plastic shear strain that times 2
+/// t/(M (1 - t^2)) (associated flow). Then q* - q = 3 G times the plastic shear strain reads g(t) =
+/// 0 with
 ///
 ///     g = (q* - M t p)(1 - t^2) - h t d,   p = exp(d)/(1 + t^2),   h = 6 G (lambda - kappa)/(M v)
 ///

@@ -24,7 +24,8 @@ namespace scree {
 /// correction is reset when the grains are in contact again, so a cycle of expansion and equal
 /// compression ends free of stress. With the keys h0 to h3 the friction angle depends on the
 /// plastic shear strain q of the same step (the paper: of the steps before), and opening does not
-/// count in q; the tip stays where the first friction angle puts it.
+/// count in q; the tip stays where the first friction angle puts it. Numbers of equations below are
+/// those of docs/materials/drucker_prager.md: the cone is (1), the return (2) to (5).
 struct DruckerPrager : HenckySolid {
   static constexpr const char* name = "drucker_prager";
   static constexpr bool effective_stress = true;
@@ -124,8 +125,8 @@ struct DruckerPrager : HenckySolid {
     const detail::StrainDeviator<V> shear(trial.strain);
     const V gap = s.volume_correction * T(1.0 / 3.0);
     const V mean = shear.mean + (gap - p.cohesion_strain);
-    // 2. Plastic shear strain: to the tip where the cone's return would pass it, |ehat| < dg, which
-    // is mean > a |ehat| whatever the cone; else to the cone (flow n + a I), or nothing.
+    // 2. Plastic shear strain, (2): to the tip where the cone's return would pass it, |ehat| < dg,
+    // which is mean > a |ehat| whatever the cone; else to the cone (flow n + a I), or nothing.
     const auto tip = mean >= p.dilation * shear.length;
     const Flow<V, T> flow_at{p, mean, shear.length, tip};
     V flow;
@@ -138,7 +139,7 @@ struct DruckerPrager : HenckySolid {
       flow = flow_at.on(p.cone, p.consistency);
       s.equivalent_plastic_strain = s.equivalent_plastic_strain + T(0.81649658092772603) * flow;
     }
-    // 3. Elastic strain. At the tip, what dilation does not explain opens a gap.
+    // 3. Elastic strain, (3) to (5). At the tip, what dilation does not explain opens a gap.
     const V opening = mean - p.dilation * shear.length;
     const V closing = gap - p.dilation * flow;
     const V turned = flow * shear.inverse_length;

@@ -12,6 +12,7 @@
 namespace scree {
 
 /// psi = mu |F - R|^2 + lambda/2 (J - 1)^2,  tau = 2 mu (F - R) F^T + lambda J (J - 1) I.
+/// These are (1) and (2) of docs/materials/fixed_corotated.md.
 /// In confined uniaxial strain P_11 = (lambda + 2 mu)(s - 1) exactly, at any amplitude.
 struct FixedCorotated {
   static constexpr const char* name = "fixed_corotated";

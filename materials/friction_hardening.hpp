@@ -8,8 +8,8 @@
 namespace scree {
 
 /// phi(q) = h0 + (h1 q - h3) exp(-h2 q), q the sum of the lengths of the plastic strain increments:
-/// Klar et al. 2016, hardening (there in degrees: h0 = 35, h1 = 9, h2 = 0.2, h3 = 10). It starts at
-/// h0 - h3, passes a highest value and tends to h0.
+/// (6) of docs/materials/drucker_prager.md; Klar et al. 2016, hardening (there in degrees: h0 = 35,
+/// h1 = 9, h2 = 0.2, h3 = 10). It starts at h0 - h3, passes a highest value and tends to h0.
 struct FrictionHardening {
   double h0, h1;  ///< rad
   double h2;      ///< 1

@@ -10,7 +10,8 @@
 
 namespace scree {
 
-/// psi = mu |ln S|^2 + lambda/2 (ln J)^2,  tau = U diag(2 mu ln S_i + lambda ln J) U^T.
+/// psi = mu |ln S|^2 + lambda/2 (ln J)^2,  tau = U diag(2 mu ln S_i + lambda ln J) U^T: (1) of
+/// docs/materials/hencky.md.
 struct Hencky : HenckySolid {
   static constexpr const char* name = "hencky";
   static constexpr bool effective_stress = true;

@@ -6,6 +6,8 @@
 ///
 ///     tau = U diag(2 mu e_i + lambda tr e) U^T,   e_i = ln S_i,   b = F F^T = U S^2 U^T
 ///
+/// which is (1) of docs/materials/hencky.md.
+///
 /// Hencky 1928; the return map in principal logarithmic strains of an isotropic law has the form of
 /// small strains: de Souza Neto, Peric, Owen, Computational Methods for Plasticity, Wiley 2008,
 /// section 14.4.

@@ -16,8 +16,9 @@ namespace scree {
 
 /// (tau_1 - tau_3) + (tau_1 + tau_3) sin phi <= 2 c cos phi and tau_1 <= tension_cutoff for the
 /// principal Kirchhoff stresses, tension positive; flow with the dilation angle on the pyramid,
-/// associated on the cut-off. Friction, cohesion and dilation may fall linearly with the equivalent
-/// plastic strain to residual values. Friction zero is Tresca's law.
+/// associated on the cut-off: (1) and (2) of docs/materials/mohr_coulomb.md. Friction, cohesion and
+/// dilation may fall linearly with the equivalent plastic strain to residual values. Friction zero
+/// is Tresca's law.
 struct MohrCoulomb : HenckySolid {
   static constexpr const char* name = "mohr_coulomb";
   static constexpr bool effective_stress = true;

@@ -4,7 +4,8 @@
 ///
 /// de Souza Neto, Peric, Owen, Computational Methods for Plasticity, Wiley 2008, section 8.2
 /// (planes, edges, apex), here without hardening inside the return, so that every case is a closed
-/// form; the cut-off is Rankine's with associated flow.
+/// form; the cut-off is Rankine's with associated flow. Numbers of equations are those of
+/// docs/materials/mohr_coulomb.md: plane (6), edges (7), apex (8), cut-off (9).
 #pragma once
 
 #include "solver/base/pack_functions.hpp"
@@ -20,7 +21,8 @@ struct MohrCoulombStrength {
   S dilation;  ///< sin psi
   S cohesion;  ///< 2 c cos phi/(2 mu)
   S apex;      ///< c cot phi/(2 mu)
-  // With a = N_1 : D : M_1 and b = N_1 : D : M_2 of the two planes at an edge, D = 1 + ratio 1 x 1:
+  // (3) to (5): with a = N_1 : D : M_1 and b = N_1 : D : M_2 of the two planes at an edge, D = 1 +
+  // ratio 1 x 1:
   S plane;                           ///< 1/a
   S compression_sum, extension_sum;  ///< 1/(a + b)
   S compression_gap, extension_gap;  ///< 1/(a - b)

@@ -13,15 +13,16 @@
 
 namespace scree {
 
+/// Numbers of equations are those of docs/materials/nacc.md, (1) to (4) in turn:
 /// psi = mu/2 (J^(-2/3) tr b - 3) + K/2 ((J^2 - 1)/2 - ln J), hence tau = s - p I with s = mu
 /// J^(-2/3) dev b and the pressure *stress* p = -K/2 (J^2 - 1) (not the energy); compression
 /// positive. Yield surface y = (1 + 2 beta) q^2 + M^2 (p + beta p0)(p - p0) with q^2 = 3/2 |s|^2,
 /// p0 = K (sinh(xi max(-alpha, 0)) + p0_offset); alpha is the plastic part of ln J.
 ///
-/// The return is the paper's (section 4.2): beyond a tip of the ellipse to that tip; else at the
-/// trial pressure, towards the p axis, keeping tr b. Hardening, once a step: alpha grows by ln
-/// (J_trial/J) to the tip, or to the point where the ray from the trial stress to the ellipse's
-/// centre meets the ellipse.
+/// The return, (5) and (6), is the paper's (section 4.2): beyond a tip of the ellipse to that tip;
+/// else at the trial pressure, towards the p axis, keeping tr b. Hardening, once a step: alpha
+/// grows by ln (J_trial/J) to the tip, or to the point where the ray from the trial stress to the
+/// ellipse's centre meets the ellipse.
 ///
 /// Two things follow from the paper's choices: keeping tr b changes J by the square of the shear
 /// strain, and softening acts one step later (p0 of the return is that of the step's start). A
@@ -104,7 +105,8 @@ struct Nacc {
     const V J = max(det(s.F), broadcast<V>(smallest<T>));
     const Stress<V> trial(p, b.values, J * J);
     const Surface<V> surface(p, s.log_plastic_volume);
-    // 2. Which return: case 1 and 2 of the paper bound J^2, case 3 lowers q at the same p.
+    // 2. Which return, (5) or (6): case 1 and 2 of the paper bound J^2, case 3 lowers q at the same
+    // p.
     const V square = min(max(J * J, T(1) - T(2) * surface.right), T(1) + T(2) * surface.left);
     const V from_left = trial.p + surface.left, from_right = surface.right - trial.p;
     const V room = from_left * from_right;  // half^2 - (p - centre)^2, which cancels in a long one

@@ -14,7 +14,8 @@
 
 namespace scree {
 
-/// psi = mu/2 (tr b - 3) - mu ln J + lambda/2 (ln J)^2,  tau = mu (b - I) + lambda ln J I.
+/// psi = mu/2 (tr b - 3) - mu ln J + lambda/2 (ln J)^2,  tau = mu (b - I) + lambda ln J I: (1) and
+/// (2) of docs/materials/neo_hookean.md.
 struct NeoHookean {
   static constexpr const char* name = "neo_hookean";
   static constexpr bool effective_stress = true;

@@ -11,7 +11,7 @@
 namespace scree {
 
 /// p = K/gamma (J^-gamma - 1) (Cole 1948, Monaghan 1994), tau = J (2 eta dev D - p I), D = sym grad
-/// v. gamma = 1 is the linear law p = K (rho/rho0 - 1).
+/// v: (2) and (3) of docs/materials/newtonian.md. gamma = 1 is the linear law p = K (rho/rho0 - 1).
 ///
 /// Differences to JFluid: bulk_modulus is the bulk modulus at rest itself, not a prefactor; the
 /// viscous stress is deviatoric (Stokes' hypothesis), so that a change of volume makes pressure

@@ -13,7 +13,8 @@
 namespace scree {
 
 /// |dev tau| <= sqrt(2/3) (Y + H eps_p), associated flow; Y and H are those of a uniaxial test in
-/// Kirchhoff stress and logarithmic strain.
+/// Kirchhoff stress and logarithmic strain. This is (1) of docs/materials/von_mises.md, its return
+/// (2).
 struct VonMises : HenckySolid {
   static constexpr const char* name = "von_mises";
   static constexpr bool effective_stress = true;
