@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// p = B (J^-gamma - 1), tau = J (eta (grad v + grad v^T) - p I). The bulk modulus at small strain
-/// is B gamma. Tension is not cut off.
+/// p = B (J^-gamma - 1), tau = J (eta (grad v + grad v^T) - p I): (2) and (3) of
+/// docs/materials/j_fluid.md. The bulk modulus at small strain is B gamma. Tension is not cut off.
 struct JFluid : CompressibleFluid {
   static constexpr const char* name = "j_fluid";
 

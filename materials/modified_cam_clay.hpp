@@ -22,6 +22,9 @@ namespace scree {
 ///     f = q^2 - M^2 p (pc - p) <= 0             associated flow
 ///     ds = 2 G d(dev strain), G = 3 (1 - 2 nu)/(2 (1 + nu)) v p/kappa
 ///
+/// which are (1), (2) and (4) of docs/materials/modified_cam_clay.md; the hardening (3) is (1) at
+/// constant p.
+///
 /// The swelling line is not integrated: v follows from the motion (v/v0 = J), so p is a function of
 /// v and pc, and normal and swelling lines hold to rounding, whatever the steps.
 ///
@@ -117,7 +120,7 @@ struct ModifiedCamClay {
     const Sym3<V> deviator =
         turned_and_strained(s.normalized_deviator, L, T(2.0 / 3.0) * trial.three_shear);
     trial.shear = T(1.2247448713915890) * norm(deviator);
-    // 3. Return.
+    // 3. Return, (5).
     const auto end = cam_clay_return(p.m, p.lambda, p.kappa, trial);
     s.normalized_deviator = deviator * end.keep;
     s.log_preconsolidation = s.log_preconsolidation + end.hardening;

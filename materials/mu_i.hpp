@@ -13,7 +13,8 @@
 
 namespace scree {
 
-/// mu(I) = mu_s + (mu_2 - mu_s)/(1 + i0/I),  I = g d/sqrt(p/rho_s).
+/// mu(I) = mu_s + (mu_2 - mu_s)/(1 + i0/I),  I = g d/sqrt(p/rho_s): (1) of docs/materials/mu_i.md,
+/// whose (2) is the flow below and (3) the implicit step.
 ///
 /// Norms: the shear stress is |tau| = sqrt(s:s/2), the shear rate g = sqrt(2 D:D) with D the
 /// deviatoric plastic rate of strain, both those of simple shear; flow obeys |tau| = mu(I) p, which
