@@ -30,5 +30,5 @@ if(units)
   target_compile_options(scree_header_test PRIVATE -O0 -g0 -Werror)
   add_test(NAME sources.self_contained_headers COMMAND "${CMAKE_COMMAND}" --build "${CMAKE_BINARY_DIR}" --target
                                                        scree_header_test)
-  set_tests_properties(sources.self_contained_headers PROPERTIES LABELS unit TIMEOUT 1800 RUN_SERIAL ON)
+  set_tests_properties(sources.self_contained_headers PROPERTIES LABELS sources TIMEOUT 1800 RUN_SERIAL ON)
 endif()

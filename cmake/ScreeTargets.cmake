@@ -70,8 +70,13 @@ function(scree_compile_options target)
   target_link_libraries(${target} PUBLIC scree_flags)
 endfunction()
 
-# Flags behind all others for code without particle loops: the sanitizer builds leave it unoptimised, which halves its build time.
-set(SCREE_COLD_FLAGS "" CACHE STRING "Additional compile flags for code without particle loops")
+# Flags behind all others for code without particle loops (deck, files, commands, tests of these): what it takes to run is
+# nothing beside what it takes to compile optimised. The sanitizer builds leave it unoptimised.
+set(cold_flags "")
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  set(cold_flags "-O1")
+endif()
+set(SCREE_COLD_FLAGS "${cold_flags}" CACHE STRING "Additional compile flags for code without particle loops")
 function(scree_cold_sources)
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS ${SCREE_COLD_FLAGS})
 endfunction()
