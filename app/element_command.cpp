@@ -51,9 +51,10 @@ void print_summary(const ElementDeck& deck, const ElementResult& result, const s
              lab_test_name(deck.driven.type), deck.materials.front().model, last.step, table);
   fmt::print(
       "at the end: p {:.6g} Pa, q {:.6g} Pa, sigma {:.6g} {:.6g} {:.6g} Pa, tau_12 {:.6g} "
-      "Pa, volumetric strain {:.4g}\n",
+      "Pa, volumetric strain {:.4g}{}\n",
       0.0 + last.pressure(), last.deviatoric(), 0.0 - last.cauchy.xx, 0.0 - last.cauchy.yy,
-      0.0 - last.cauchy.zz, 0.0 + last.cauchy.xy, 0.0 + last.strain.volumetric);
+      0.0 - last.cauchy.zz, 0.0 + last.cauchy.xy, 0.0 + last.strain.volumetric,
+      last.pore_pressure ? fmt::format(", pore pressure {:.6g} Pa", *last.pore_pressure) : "");
 }
 
 }  // namespace

@@ -112,16 +112,22 @@ bool SchemaReader::available(const Entry& entry, Scope& scope) {
   }
   if (entry.tag.empty() || tag_matches(entry, scope.schema, scope.table)) return true;
   const auto& entries = scope.schema.entries();
-  const bool twin = std::any_of(entries.begin(), entries.end(), [&](const auto& other) {
-    return other->key == entry.key && tag_matches(*other, scope.schema, scope.table);
-  });
-  if (value && !twin && tag_known(entry, scope.schema, scope.table)) {
+  bool twin = false;
+  const Entry* first = nullptr;
+  std::vector<std::string> tag_values;
+  for (const auto& other : entries) {
+    if (other->key != entry.key) continue;
+    if (!first) first = other.get();
+    twin = twin || tag_matches(*other, scope.schema, scope.table);
+    tag_values.insert(tag_values.end(), other->tag_values.begin(), other->tag_values.end());
+  }
+  if (value && !twin && first == &entry && tag_known(entry, scope.schema, scope.table)) {
     const Value* tag = scope.table.find(entry.tag);
     const std::string kind = tag ? to_toml(*tag) : scope.schema.find(entry.tag)->fallback_text;
     report(*value, child_path(scope.path, entry.key),
            "does not belong to " + entry.tag + " = " + kind,
            join(available_keys(scope.schema, scope.table, context_.dimension)),
-           "remove it, or set " + entry.tag + " to " + join(entry.tag_values, " or "));
+           "remove it, or set " + entry.tag + " to " + join(tag_values, " or "));
   }
   return false;
 }

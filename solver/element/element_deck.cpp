@@ -50,6 +50,22 @@ void check_material_count(const ElementDeck& deck, const Value& document, Proble
   problems.add(problem);
 }
 
+/// Water that cannot leave the pores contradicts a drained test.
+void check_water(const ElementDeck& deck, const Value& document, Problems& problems) {
+  if (deck.driven.type != LabTest::triaxial_drained || problems.any_under("path.type")) return;
+  const Value* table = document.find("material");
+  if (!table || deck.materials.size() != 1) return;
+  const Value* water = table->items.front().find("undrained_bulk_modulus");
+  if (!water) return;
+  Problem problem;
+  problem.key = "material." + deck.materials.front().name + ".undrained_bulk_modulus";
+  problem.where = water->position;
+  problem.value = to_toml(*water);
+  problem.message = "keeps the water in the pores, but path.type = \"triaxial_drained\" drains it";
+  problem.repair = "remove it, or set path.type to triaxial_undrained";
+  problems.add(problem);
+}
+
 ElementDeck interpret(std::optional<Value> document, const std::vector<std::string>& overrides,
                       Problems& problems) {
   ElementDeck deck;
@@ -61,6 +77,7 @@ ElementDeck interpret(std::optional<Value> document, const std::vector<std::stri
   SchemaReader reader(context, problems);
   reader.read(element_schema(), &deck, *document, "");
   check_material_count(deck, *document, problems);
+  check_water(deck, *document, problems);
   return deck;
 }
 

@@ -58,8 +58,9 @@ class Drive {
   }
 
  private:
+  /// The stages before the path are drained: the excess pressure starts at zero.
   void add_water() {
-    water_ = material_.undrained_bulk_modulus && path_.type == LabTest::triaxial_undrained;
+    water_ = material_.undrained_bulk_modulus.has_value();
     if (!water_) return;
     point_ =
         add_pore_water(std::move(point_), *material_.undrained_bulk_modulus, material_.density);
@@ -127,7 +128,7 @@ class Drive {
       next.free = outcome.free;
     } else {
       point_->advance(motion_->increment(state_, next), dt);
-      if (!point_->admissible()) fail(step, next, "the law cannot represent this deformation");
+      if (!point_->admissible()) fail(step, next, inadmissible_cause(*point_, "this deformation"));
     }
     last_ = next.free - state_.free;
     state_ = next;
@@ -138,7 +139,8 @@ class Drive {
   }
 
   std::optional<HeldStress> held_stress() const {
-    if (path_.type == LabTest::triaxial_drained || water_) return HeldStress::lateral;
+    if (path_.type == LabTest::triaxial_drained) return HeldStress::lateral;
+    if (path_.type == LabTest::triaxial_undrained && water_) return HeldStress::lateral;
     if (path_.type == LabTest::simple_shear && path_.normal_stress) return HeldStress::axis_2;
     return std::nullopt;
   }

@@ -19,8 +19,10 @@ struct ElementRow {
   PathStrain strain;
   Sym3<double> cauchy;  ///< Pa, tension positive
   double void_ratio = 0;
-  std::vector<double> entries;          ///< the law's state, in the order of its fields
-  std::optional<double> pore_pressure;  ///< Pa, excess over that of the confined state
+  std::vector<double> entries;  ///< the law's state, in the order of its fields
+  /// Pa, excess over that of the confined state: with water in the pores, and at constant volume in
+  /// triaxial_undrained.
+  std::optional<double> pore_pressure;
   std::optional<double> yield_value;
 
   double pressure() const { return -trace(cauchy) / 3; }  ///< p [Pa]

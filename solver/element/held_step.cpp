@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace scree {
 namespace {
@@ -17,6 +18,14 @@ constexpr int most_iterations = 100;
 
 Sym3<double> cauchy_stress(const MaterialPoint& point) {
   return point.stress() * (1 / point.volume_ratio());
+}
+
+std::string inadmissible_cause(const MaterialPoint& point, const std::string& what) {
+  const double voids = point.void_ratio().value_or(1);
+  if (voids > 0) return "the law cannot represent " + what;
+  char text[64];
+  std::snprintf(text, sizeof text, "no voids are left (void ratio %.3g)", voids);
+  return text;
 }
 
 double held_component(const Sym3<double>& s, HeldStress held) {
@@ -58,7 +67,7 @@ bool HeldStep::search(double guess, HeldOutcome& best) {
   for (int i = 0; i < most_iterations; ++i) {
     const Trial trial = evaluate(x);
     if (!trial.usable) {  // back towards a state that the law can represent
-      best.cause = "the law cannot represent the states on the way";
+      best.cause = inadmissible_cause(point_, "the states on the way");
       x = 0.5 * (x + good);
       continue;
     }

@@ -13,6 +13,9 @@ namespace scree {
 /// Cauchy stress of a point, tension positive [Pa].
 Sym3<double> cauchy_stress(const MaterialPoint& point);
 
+/// Why a point is not admissible, a clause: `what` cannot be represented, or no voids are left.
+std::string inadmissible_cause(const MaterialPoint& point, const std::string& what);
+
 /// The held component of a Cauchy stress, compression positive.
 double held_component(const Sym3<double>& cauchy, HeldStress held);
 

@@ -107,7 +107,9 @@ Schema<PathSpec> make_path_schema() {
           "triaxial_drained: axial strain at constant lateral stress; triaxial_undrained: axial "
           "strain at constant volume (or, where the material has undrained_bulk_modulus, with "
           "water in the pores, at constant total lateral stress); simple_shear: at constant "
-          "volume or constant normal_stress; gradient: to any deformation gradient.");
+          "volume or constant normal_stress; gradient: to any deformation gradient. With "
+          "undrained_bulk_modulus, water cannot leave the pores on any of these paths, and a held "
+          "stress is the total one; triaxial_drained refuses it.");
   add_strains(s);
   s.matrix("gradient", &PathSpec::gradient)
       .when("type", {"gradient"})

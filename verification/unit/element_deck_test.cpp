@@ -148,6 +148,27 @@ TEST(ElementDeckReading, GradientsMustKeepThePointWhole) {
             "numbers\n");
 }
 
+TEST(ElementDeckReading, AStrayStrainOfAGradientIsReportedOnce) {
+  const std::string text =
+      with_line(9, "type = \"gradient\"\ngradient = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]");
+  EXPECT_EQ(
+      problems_of(text),
+      "deck.toml:12:10: path.strain = 0.1: does not belong to type = \"gradient\"; allowed: "
+      "type, gradient, confining_pressure, steps, duration, initial_void_ratio; remove it, or "
+      "set type to isotropic or oedometer or triaxial_drained or triaxial_undrained or "
+      "simple_shear\n");
+}
+
+TEST(ElementDeckReading, ADrainedTestRefusesWaterThatCannotLeave) {
+  const std::string text =
+      with_line(7, "friction_angle = \"30 deg\"\nundrained_bulk_modulus = 2e9");
+  EXPECT_EQ(problems_of(text),
+            "deck.toml:8:26: material.sand.undrained_bulk_modulus = 2e9: keeps the water in the "
+            "pores, but path.type = \"triaxial_drained\" drains it; remove it, or set path.type to "
+            "triaxial_undrained\n");
+  EXPECT_EQ(problems_of(text, {"path.type=triaxial_undrained"}), "");
+}
+
 TEST(ElementDeckReading, DefaultsAndOverrides) {
   const ElementDeck deck = read(good_deck, {"path.strain=\"5 %\"", "path.unload=0"});
   EXPECT_EQ(deck.name, "deck");
@@ -213,13 +234,38 @@ strain = 1
 steps = 10
 )";
 
-std::string fault_of(const std::vector<std::string>& overrides) {
+std::string fault_of(const std::vector<std::string>& overrides, const char* deck = limited) {
   try {
-    drive_element(read(limited, overrides));
+    drive_element(read(deck, overrides));
   } catch (const RunFault& fault) {
     return fault.what();
   }
   return "none";
+}
+
+/// A clay whose void ratio of 1 is gone at a volumetric strain of ln 2 at the latest.
+const char* const clay = R"([material.clay]
+model = "modified_cam_clay"
+density = 1800
+m = 1.0
+lambda = 0.2
+kappa = 0.04
+poissons_ratio = 0.3
+reference_void_ratio = 1.0
+initial_pressure = "100 kPa"
+ocr = 1.0
+[path]
+type = "oedometer"
+strain = 0.8
+steps = 80
+)";
+
+TEST(ElementFaults, SayThatNoVoidsAreLeft) {
+  for (const char* type : {"oedometer", "triaxial_drained"}) {
+    const std::string fault = fault_of({std::string("path.type=") + type, "path.strain=2"}, clay);
+    if (fault.find("not available in this") != std::string::npos) GTEST_SKIP();
+    EXPECT_NE(fault.find("no voids are left (void ratio -"), std::string::npos) << fault;
+  }
 }
 
 TEST(ElementFaults, NameStepAndCause) {
