@@ -148,8 +148,8 @@ void Canvas::dot(Pixel centre, double radius, Colour colour) {
   line({centre}, everything, colour, 2 * radius);
 }
 
-void Canvas::text(Pixel at, const std::string& words, double size, Anchor along, Anchor across,
-                  bool bold, bool upward) {
+int Canvas::text(Pixel at, const std::string& words, double size, Anchor along, Anchor across,
+                 bool bold, bool upward) {
   vtkNew<vtkTextProperty> style;
   style->SetFontFamilyToArial();
   style->SetFontSize(static_cast<int>(std::lround(size)));
@@ -160,7 +160,7 @@ void Canvas::text(Pixel at, const std::string& words, double size, Anchor along,
   int used[2] = {0, 0};
   vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
   tools->ScaleToPowerTwoOff();
-  if (words.empty() || !tools->RenderString(style, vtkStdString(words), 72, image, used)) return;
+  if (words.empty() || !tools->RenderString(style, vtkStdString(words), 72, image, used)) return 0;
   const int* extent = image->GetExtent();
   const auto start = [](double place, int pixels, Anchor anchor) {
     const double share = anchor == Anchor::low ? 0 : anchor == Anchor::middle ? 0.5 : 1;
@@ -175,6 +175,14 @@ void Canvas::text(Pixel at, const std::string& words, double size, Anchor along,
       blend(x0 + x, y0 + y, ink, rgba[3] / 255.0);
     }
   }
+  return upward ? used[1] : used[0];
+}
+
+Colour Canvas::pixel(int x, int y) const {
+  const std::uint8_t* p =
+      &pixels_[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                    static_cast<std::size_t>(x))];
+  return {p[0] / 255.0, p[1] / 255.0, p[2] / 255.0};
 }
 
 void Canvas::write_png(const std::string& path, const std::string& mark) const {

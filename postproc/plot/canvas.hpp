@@ -37,9 +37,13 @@ class Canvas {
   /// A filled disk.
   void dot(Pixel centre, double radius, Colour colour);
   /// A line of text of this height in pixels; the anchors say which part of it lies at the place
-  /// (along and across the writing). Upward text is turned by 90 degrees.
-  void text(Pixel at, const std::string& words, double size, Anchor along = Anchor::low,
-            Anchor across = Anchor::low, bool bold = false, bool upward = false);
+  /// (along and across the writing). Upward text is turned by 90 degrees. Returns its length in
+  /// pixels.
+  int text(Pixel at, const std::string& words, double size, Anchor along = Anchor::low,
+           Anchor across = Anchor::low, bool bold = false, bool upward = false);
+
+  /// The colour of a pixel, columns from the left, rows from the bottom.
+  Colour pixel(int x, int y) const;
 
   /// Writes a PNG with `mark` as its comment "Software". Throws RunFault with one sentence.
   void write_png(const std::string& path, const std::string& mark) const;

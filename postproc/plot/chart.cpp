@@ -33,25 +33,41 @@ double tick_step(double low, double high, double most) {
   return 10 * power;
 }
 
-std::vector<double> ticks(const Axis& axis, double most) {
+std::vector<double> even_ticks(const Axis& axis, double most) {
   std::vector<double> values;
-  if (axis.logarithmic) {
-    for (double power = std::pow(10.0, std::floor(std::log10(axis.low))); power <= axis.high;
-         power *= 10) {
-      for (const double factor : {1.0, 2.0, 5.0}) {
-        const double value = factor * power;
-        if (value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9)) {
-          values.push_back(value);
-        }
-      }
-    }
-    return values;
-  }
   const double step = tick_step(axis.low, axis.high, most);
   for (double i = std::ceil(axis.low / step - 1e-9); i * step <= axis.high + 1e-9 * step; ++i) {
     values.push_back(i == 0 ? 0.0 : i * step);
   }
   return values;
+}
+
+/// 1, 2 and 5 of each decade; over less than a decade, where these are few, round numbers of equal
+/// distance, as many as their labels leave room for.
+std::vector<double> logarithmic_ticks(const Axis& axis) {
+  std::vector<double> values;
+  for (double power = std::pow(10.0, std::floor(std::log10(axis.low))); power <= axis.high;
+       power *= 10) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double value = factor * power;
+      if (value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9)) {
+        values.push_back(value);
+      }
+    }
+  }
+  if (values.size() > 3) return values;
+  constexpr double room = 0.09;
+  values.clear();
+  for (const double value : even_ticks(axis, 8)) {
+    if (values.empty() || axis.share(value) - axis.share(values.back()) > room) {
+      values.push_back(value);
+    }
+  }
+  return values;
+}
+
+std::vector<double> ticks(const Axis& axis, double most) {
+  return axis.logarithmic ? logarithmic_ticks(axis) : even_ticks(axis, most);
 }
 
 std::string tick_text(double value) {
@@ -80,10 +96,20 @@ Axis choose_axis(const Chart& chart, std::vector<double> Curve::*values, bool lo
     low -= room;
     high += room;
   }
-  const double step = tick_step(low, high, most);
-  low = step * std::floor(low / step + 1e-9);
-  high = step * std::ceil(high / step - 1e-9);
+  // Again, as the wider range may have another step: the ends carry labels.
+  for (int i = 0; i < 2; ++i) {
+    const double step = tick_step(low, high, most);
+    low = step * std::floor(low / step + 1e-9);
+    high = step * std::ceil(high / step - 1e-9);
+  }
   return {low, high, false};
+}
+
+constexpr double legend_height = 34;
+
+bool has_legend(const Chart& chart) {
+  return std::any_of(chart.curves.begin(), chart.curves.end(),
+                     [](const Curve& curve) { return !curve.name.empty(); });
 }
 
 /// Draws in the plotted area of one chart.
@@ -94,7 +120,7 @@ class ChartPainter {
         chart_(chart),
         scale_(canvas.width() / 1600.0),
         area_{frame.left + 120 * scale_, frame.bottom + 80 * scale_, frame.right - 30 * scale_,
-              frame.top - 20 * scale_},
+              frame.top - (20 + (has_legend(chart) ? legend_height : 0)) * scale_},
         x_(choose_axis(chart, &Curve::x, chart.logarithmic_x, 6)),
         y_(choose_axis(chart, &Curve::y, false, 6)) {}
 
@@ -155,14 +181,15 @@ class ChartPainter {
 
   void draw_legend() {
     const double s = scale_;
-    double y = area_.top - 26 * s;
+    const Frame all{0, 0, canvas_.width() - 1.0, canvas_.height() - 1.0};
+    const double y = area_.top + 0.6 * legend_height * s;
+    double x = area_.left;
     for (const Curve& curve : chart_.curves) {
       if (curve.name.empty()) continue;
-      const double x = area_.left + 18 * s;
-      canvas_.line({{x, y}, {x + 44 * s, y}}, area_, curve.colour, curve.thickness * s,
+      canvas_.line({{x, y}, {x + 44 * s, y}}, all, curve.colour, curve.thickness * s,
                    curve.dashed ? 11 * s : 0);
-      canvas_.text({x + 54 * s, y}, curve.name, text_size * s, Anchor::low, Anchor::middle);
-      y -= 30 * s;
+      x += 54 * s;
+      x += canvas_.text({x, y}, curve.name, text_size * s, Anchor::low, Anchor::middle) + 30 * s;
     }
   }
 
@@ -183,6 +210,7 @@ Canvas draw_page(const std::string& title, const std::string& subtitle,
                  const std::vector<Chart>& charts) {
   constexpr int width = 1600, row_height = 560, head = 110;
   const int rows = static_cast<int>((charts.size() + 1) / 2);
+  const bool legend = std::any_of(charts.begin(), charts.end(), has_legend);
   Canvas canvas(width, head + rows * row_height + 20);
   const double top = canvas.height() - 24;
   canvas.text({60, top}, title, 34, Anchor::low, Anchor::high, true);
@@ -190,7 +218,9 @@ Canvas draw_page(const std::string& title, const std::string& subtitle,
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const double left = 20 + 780.0 * static_cast<double>(i % 2);
     const double upper = canvas.height() - head - row_height * static_cast<double>(i / 2);
-    draw_chart(canvas, {left, upper - row_height + 10, left + 780, upper}, charts[i]);
+    // Charts without a legend leave its room, too: axes of a row end at one height.
+    const double room = legend && !has_legend(charts[i]) ? legend_height : 0;
+    draw_chart(canvas, {left, upper - row_height + 10, left + 780, upper - room}, charts[i]);
   }
   return canvas;
 }

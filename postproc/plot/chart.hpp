@@ -26,7 +26,8 @@ struct Chart {
   std::vector<Curve> curves;
 };
 
-/// Draws a chart, axes and labels included, into a frame of the canvas.
+/// Draws a chart, axes and labels included, into a frame of the canvas. The legend is a line of its
+/// own above the axes, where it covers no curve.
 void draw_chart(Canvas& canvas, const Frame& frame, const Chart& chart);
 
 /// A page with a title over charts, two a row.

@@ -111,6 +111,7 @@ bool SchemaReader::available(const Entry& entry, Scope& scope) {
     return false;
   }
   if (entry.tag.empty() || tag_matches(entry, scope.schema, scope.table)) return true;
+  // A key may have several entries, one for each kind of meaning: the first reports for all.
   const auto& entries = scope.schema.entries();
   bool twin = false;
   const Entry* first = nullptr;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/base/eigen.hpp"
 #include "solver/element/held_step.hpp"
 
 namespace scree {
@@ -22,21 +23,24 @@ double deviatoric(const MaterialPoint& point) {
 /// Moves a point about in the elastic domain of one state.
 class Probe {
  public:
-  /// Starts at the point's present state, and unloads its deviator.
-  explicit Probe(MaterialPoint& point) : point_(point) {
+  /// Starts at the point's present state, and unloads its deviator. Strains of shear have the
+  /// size of those of an axial strain.
+  Probe(MaterialPoint& point, const ShearDirection& d) : point_(point), direction_(d) {
+    const double size = std::sqrt(1.5 / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    for (double& component : direction_) component *= size;
     unload();
     start_ = point_.entries();
     stress_ = cauchy_stress(point_);
   }
 
-  /// Whether the point stays inside of the surface under a volumetric and then an axial,
-  /// volume-preserving strain, both logarithmic, compression positive. The point is moved there.
-  bool move(double volumetric, double axial) {
+  /// Whether the point stays inside of the surface under a volumetric strain and a shear, both
+  /// logarithmic, compression positive. The point is moved there.
+  bool move(double volumetric, double shear) {
     point_.set_entries(start_);
-    strain(volumetric, axial);
+    strain(volumetric, shear);
     const std::vector<double> there = point_.entries();
     const bool inside = point_.admissible() && *point_.yield_value() < -touching;
-    const bool elastic = inside && returns(volumetric, axial);
+    const bool elastic = inside && returns(volumetric, shear);
     point_.set_entries(there);
     return elastic;
   }
@@ -69,18 +73,20 @@ class Probe {
   std::pair<double, double> stress() const { return {pressure(point_), deviatoric(point_)}; }
 
  private:
-  void strain(double volumetric, double axial) {
+  void strain(double volumetric, double shear) {
     Mat3<double> step = zero3<double>();
-    step(0, 0) = std::expm1(-axial - volumetric / 3);
-    step(1, 1) = step(2, 2) = std::expm1(0.5 * axial - volumetric / 3);
+    for (int i = 0; i < 3; ++i) {
+      const double part = direction_[static_cast<std::size_t>(i)];
+      step(i, i) = std::expm1(-shear * part - volumetric / 3);
+    }
     point_.advance(step, long_time);
   }
 
   /// Whether the opposite strain leads back to the stress at the start: some laws harden after the
   /// return map, so that a state which has yielded lies inside of the new surface.
-  bool returns(double volumetric, double axial) {
+  bool returns(double volumetric, double shear) {
     const Sym3<double> there = cauchy_stress(point_);
-    strain(-volumetric, -axial);
+    strain(-volumetric, -shear);
     const Sym3<double> back = cauchy_stress(point_);
     return norm(back - stress_) <= 1e-6 * norm(there - stress_);
   }
@@ -103,36 +109,40 @@ class Probe {
   }
 
   MaterialPoint& point_;
+  ShearDirection direction_;
   std::vector<double> start_;
   Sym3<double> stress_;
 };
 
 }  // namespace
 
-std::vector<std::pair<double, double>> yield_locus(const ElementResult& result) {
+ShearDirection shear_direction(const ElementRow& row, double negligible) {
+  if (!(row.deviatoric() > negligible)) return triaxial_compression;
+  const Vec3<double> values = eigen_symmetric(deviator(row.cauchy)).values;
+  return {-values[0], -values[1], -values[2]};
+}
+
+std::vector<std::pair<double, double>> yield_locus(const ElementResult& result,
+                                                   const ShearDirection& direction,
+                                                   PressureRange range) {
   std::vector<std::pair<double, double>> points;
   if (!result.rows.back().yield_value) return points;
   MaterialPoint& point = *result.point;
   point.set_entries(result.rows.back().entries);
-  Probe probe(point);
-  double highest = 0, lowest = 0;
-  for (const ElementRow& row : result.rows) {
-    highest = std::max(highest, 1.15 * row.pressure());
-    lowest = std::min(lowest, row.pressure());
-  }
+  Probe probe(point, direction);
   const double out = -Probe::largest([&](double v) { return probe.move(-v, 0); });
   const double in = Probe::largest([&](double v) { return probe.move(v, 0); });
   probe.move(out, 0);
-  const double first = std::max(probe.stress().first, lowest);
+  const double first = std::max(probe.stress().first, range.low);
   probe.move(in, 0);
-  const double last = std::min(probe.stress().first, highest);
+  const double last = std::min(probe.stress().first, range.high);
   constexpr int samples = 80;
   for (int i = 0; i <= samples && last > first; ++i) {
     // Closer together at the ends, where the surface may be steep.
     const double share = 0.5 - 0.5 * std::cos(3.14159265358979 * i / samples);
     const double volumetric = probe.volumetric_at(first + share * (last - first), out, in);
-    const double axial = Probe::largest([&](double a) { return probe.move(volumetric, a); });
-    probe.move(volumetric, axial);
+    const double shear = Probe::largest([&](double a) { return probe.move(volumetric, a); });
+    probe.move(volumetric, shear);
     points.push_back(probe.stress());
   }
   return points;
