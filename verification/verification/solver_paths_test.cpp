@@ -231,6 +231,11 @@ Law clay(double ocr) {
   return {"modified_cam_clay", in};
 }
 
+#define SKIP_WITHOUT(law)                            \
+  if (find_material_model((law).model) == nullptr) { \
+    GTEST_SKIP() << "this build has no such law";    \
+  }
+
 /// Stresses of the Hencky laws are per undeformed area: their closed forms times 1/J.
 constexpr double strain = 0.04;
 const double volume_strain = -std::log1p(-strain);
@@ -240,6 +245,7 @@ void expect_ratio(double value, double expected, const char* what) {
 }
 
 TEST(SolverPaths, OedometerOfSandRestsAtTheActiveRatio) {
+  SKIP_WITHOUT(sand())
   const Outcome end = drive(sand(), oedometer(strain));
   const double p = bulk * volume_strain / end.volume_ratio;
   expect_ratio(-end.stress(1, 1), (1 + 2 * slope / 3) * p, "vertical");
@@ -248,12 +254,14 @@ TEST(SolverPaths, OedometerOfSandRestsAtTheActiveRatio) {
 }
 
 TEST(SolverPaths, ShearOfSandAtConstantVolumeKeepsThePressure) {
+  SKIP_WITHOUT(sand())
   const Outcome end = drive(sand(100e3), simple_shear(0.1));
   expect_ratio(end.pressure(), 100e3, "p");
   expect_ratio(end.deviator(), slope * 100e3, "q");
 }
 
 TEST(SolverPaths, OedometerOfSoilFollowsTheActiveLine) {
+  SKIP_WITHOUT(soil())
   const Outcome end = drive(soil(), oedometer(strain));
   const double root = 2 * cohesion * std::sqrt(passive);
   const double lateral = (3 * bulk * volume_strain - root) / (passive + 2);
@@ -262,6 +270,7 @@ TEST(SolverPaths, OedometerOfSoilFollowsTheActiveLine) {
 }
 
 TEST(SolverPaths, ShearOfSoilEndsOnMohrsCircle) {
+  SKIP_WITHOUT(soil())
   const Outcome end = drive(soil(100e3), simple_shear(0.1));
   const double centre = -(end.stress(0, 0) + end.stress(1, 1)) / 2;
   const double radius = std::hypot(end.stress(0, 1), (end.stress(0, 0) - end.stress(1, 1)) / 2);
@@ -270,6 +279,7 @@ TEST(SolverPaths, ShearOfSoilEndsOnMohrsCircle) {
 }
 
 TEST(SolverPaths, MetalYieldsAndThenFollowsTheBulkModulus) {
+  SKIP_WITHOUT(metal())
   const Outcome pressed = drive(metal(), oedometer(strain));
   const double metal_bulk = 2 * young / (3 * (1 - 2 * metal_poisson));
   expect_ratio(-pressed.stress(1, 1),
@@ -282,6 +292,7 @@ TEST(SolverPaths, MetalYieldsAndThenFollowsTheBulkModulus) {
 /// Compaction and both sides of the ellipse; no closed form on these paths, drive() compares with
 /// the law alone.
 TEST(SolverPaths, SnowCompactsHardensAndSoftens) {
+  SKIP_WITHOUT(snow())
   const Outcome pressed = drive(snow(), oedometer(strain));
   const double p0 = young / (3 * (1 - 2 * 0.3)) * std::sinh(1.5 * 0.01);
   EXPECT_GT(pressed.pressure(), 2 * p0) << "has hardened";
@@ -290,6 +301,7 @@ TEST(SolverPaths, SnowCompactsHardensAndSoftens) {
 }
 
 TEST(SolverPaths, ShearOfClayEndsInTheCriticalState) {
+  SKIP_WITHOUT(clay(1))
   for (const double ocr : {1.0, 4.0}) {
     const Outcome end = drive(clay(ocr), simple_shear(0.3));
     const double p = clay_pressure * std::pow(ocr / 2, (lambda - kappa) / lambda);
@@ -299,29 +311,35 @@ TEST(SolverPaths, ShearOfClayEndsInTheCriticalState) {
 }
 
 TEST(SolverPaths, OedometerOfClayHardens) {
+  SKIP_WITHOUT(clay(1))
   const Outcome end = drive(clay(1), oedometer(strain));
   EXPECT_GT(end.pressure(), 1.2 * clay_pressure);
 }
 
 TEST(SolverPaths, InThreeDimensions) {
-  drive(soil(100e3), simple_shear(0.1), 3);
+  SKIP_WITHOUT(clay(1))
   drive(clay(1), oedometer(strain), 3);
+  SKIP_WITHOUT(soil())
+  drive(soil(100e3), simple_shear(0.1), 3);
 }
 
 /// Without linear hat functions (their edge nodes run away) and pic, whose diffusion of momentum
 /// adds to the force on the rows.
 TEST(SolverPaths, WithEveryMethodAndInSinglePrecision) {
+  SKIP_WITHOUT(sand())
+  const bool has_soil = find_material_model(soil().model) != nullptr;
   std::vector<Method> methods = all_methods();
   methods.push_back({.precision = Precision::single_});
   for (const Method& method : methods) {
     if (method.kernel == KernelType::linear || method.transfer == TransferType::pic) continue;
     drive(sand(), oedometer(strain), 2, method);
-    drive(soil(100e3), simple_shear(0.1), 2, method);
+    drive(has_soil ? soil(100e3) : sand(100e3), simple_shear(0.1), 2, method);
   }
 }
 
 /// The tolerance sees a strain that is wrong by 2 %.
 TEST(SolverPaths, AnotherStrainGivesAnotherStress) {
+  SKIP_WITHOUT(sand())
   const Law law = sand();
   const Matrix exact = driven_alone(*start(law, 2), oedometer(strain), 1);
   const Matrix wrong = driven_alone(*start(law, 2), oedometer(1.02 * strain), 1);
