@@ -2,10 +2,13 @@
 #include "app/build_simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
+#include "solver/base/error.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/deck/initial_stress.hpp"
+#include "solver/deck/particle_faults.hpp"
 #include "solver/particles/sampling.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -38,6 +41,15 @@ class Field {
   std::vector<Expression> components_;
 };
 
+/// A formula that is a number at every particle, but not beside one.
+[[noreturn]] void refuse_velocity(const BodySpec& spec, std::size_t component, const double* x,
+                                  int dimension) {
+  throw UserError("body." + toml_key(spec.name) + ".velocity: \"" + spec.velocity[component].text +
+                  "\" is not finite beside the particle at " +
+                  point_text({x[0], x[1], x[2]}, dimension) +
+                  " m; the velocity gradient needs it within a thousandth of a cell");
+}
+
 /// Velocity and its gradient at every particle, the gradient by differences of fourth order.
 void set_velocity(const BodySpec& spec, int dimension, double cell_size, BodySetup& body) {
   if (!Field::given(spec.velocity)) return;
@@ -62,35 +74,29 @@ void set_velocity(const BodySpec& spec, int dimension, double cell_size, BodySet
       const auto p2 = at(2 * h);
       for (int i = 0; i < dimension; ++i) {
         const std::size_t k = std::size_t(i);
-        body.velocity_gradient[9 * p + 3 * k + std::size_t(j)] =
-            (m2[k] - p2[k] + 8 * (p1[k] - m1[k])) / (12 * h);
+        const double slope = (m2[k] - p2[k] + 8 * (p1[k] - m1[k])) / (12 * h);
+        if (!std::isfinite(slope)) refuse_velocity(spec, k, x, dimension);
+        body.velocity_gradient[9 * p + 3 * k + std::size_t(j)] = slope;
       }
     }
   }
-}
-
-/// Which domain faces hold a body that lies on them (for the exposed surface of a traction).
-void mark_walls(const Deck& deck, SurfaceSelection& selection) {
-  for (int a = 0; a < deck.domain.dimension; ++a) {
-    for (int side = 0; side < 2; ++side) {
-      selection.wall[std::size_t(a)][std::size_t(side)] =
-          deck.boundary.face(a, side).type != FaceType::open;
-    }
-  }
-  selection.domain_upper = deck.domain.upper;
 }
 
 void add_tractions(const Deck& deck, std::int32_t body, const SampledBody& sampled,
                    SimulationSetup& setup) {
   for (const TractionSpec& spec : deck.tractions) {
     if (spec.body != deck.bodies[std::size_t(body)].name) continue;
-    const auto region = make_shape(spec.region, deck.domain.dimension);
-    SurfaceSelection selection;
-    selection.region = region.get();
-    selection.facing = spec.facing;
-    mark_walls(deck, selection);
-    setup.tractions.push_back({spec, body, exposed_faces(sampled, selection)});
+    setup.tractions.push_back({spec, body, loaded_faces(deck, spec, sampled)});
   }
+}
+
+/// What the reading of the deck leaves to this: it does not sample very large bodies.
+void check_particles(const Deck& deck, const BodySpec& body, const SampledBody& sampled) {
+  const auto faults = particle_faults(deck, body, sampled, Problems());
+  if (faults.empty()) return;
+  const ParticleFault& fault = faults.front();
+  throw UserError(fault.key() + ": " + fault.message +
+                  (fault.repair.empty() ? "" : "; " + fault.repair));
 }
 
 void add_body(const Deck& deck, std::int32_t index, SimulationSetup& setup) {
@@ -99,6 +105,7 @@ void add_body(const Deck& deck, std::int32_t index, SimulationSetup& setup) {
   const auto shape = make_shape(spec.shape, deck.domain.dimension);
   SampledBody sampled = sample(*shape, deck.domain.lower, deck.domain.cell_size,
                                spec.particles_per_direction, deck.domain.dimension);
+  check_particles(deck, spec, sampled);
   add_tractions(deck, index, sampled, setup);
   BodySetup body;
   body.name = spec.name;

@@ -159,7 +159,7 @@ void SchemaReader::report_missing(const Entry& entry, const Scope& scope) {
     if (!scope.schema.find(item.key)) strangers.push_back(item.key);
   }
   const std::string near = did_you_mean(entry.key, strangers);
-  if (!near.empty()) repair = "did you mean it by \"" + near + "\"?";
+  if (!near.empty()) repair = "is it meant by the unknown key \"" + near + "\"?";
   problems_.add({scope.table.position, child_path(scope.path, entry.key), "",
                  "required key is missing", allowed, repair});
 }

@@ -39,6 +39,30 @@ std::string dimension_repair(const Entry& entry, const Quantity& quantity) {
   return "write it in " + symbol;
 }
 
+/// The text with a decimal point in place of its comma when that makes it a quantity ("5,0 mm"),
+/// else "".
+std::string with_decimal_point(std::string text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) return "";
+  text[comma] = '.';
+  return parse_quantity(text) ? text : "";
+}
+
+std::string decimal_repair(const Value& value) {
+  const std::string mended = with_decimal_point(value.text);
+  return mended.empty() ? "" : "write a decimal point: " + toml_string(mended);
+}
+
+/// A stress in mPa is a slip of the shift key; the prefix is there for viscosities. Returns what
+/// was meant, or "".
+std::string meant_by_millipascal(const Entry& entry, const Quantity& quantity, std::string text) {
+  const bool stress =
+      entry.unit == Unit::pressure && quantity.dimension == dimension_of(entry.unit);
+  const std::size_t place = text.find("mPa");
+  if (!stress || place == std::string::npos) return "";
+  return text.replace(place, 1, "M");
+}
+
 }  // namespace
 
 std::string range_text(const Entry& entry) {
@@ -81,7 +105,7 @@ bool SchemaReader::quantity(const Entry& entry, const Value& value, const std::s
                             Quantity& result) {
   const auto parsed = parse_quantity(value.text);
   if (!parsed) {
-    report(value, path, "is not a number with a unit", number_form(entry));
+    report(value, path, "is not a number with a unit", number_form(entry), decimal_repair(value));
     return false;
   }
   if (!parsed->unknown_unit.empty()) {
@@ -94,6 +118,11 @@ bool SchemaReader::quantity(const Entry& entry, const Value& value, const std::s
     const std::string quantity_name = unit_quantity(entry.unit);
     report(value, path, "has a unit that is not of " + with_article(quantity_name),
            unit_examples(entry.unit), dimension_repair(entry, *parsed));
+    return false;
+  }
+  if (const auto meant = meant_by_millipascal(entry, *parsed, value.text); !meant.empty()) {
+    report(value, path, "is in thousandths of a pascal", unit_examples(entry.unit),
+           "did you mean " + toml_string(meant) + "?");
     return false;
   }
   result = *parsed;
@@ -234,6 +263,10 @@ bool SchemaReader::formula(const Entry& entry, const Value& value, const std::st
     if (!number(entry, value, path, x)) return false;
     result.text = toml_number(x);
     return true;
+  }
+  if (const std::string repair = decimal_repair(value); !repair.empty()) {
+    report(value, path, "is no number", number_form(entry), repair);
+    return false;
   }
   if (context_.formula_fault) {
     if (const auto fault = context_.formula_fault(value.text, entry.variables)) {

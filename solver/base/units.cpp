@@ -101,6 +101,29 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
+/// Signs of engineers' writing in the letters of this reader: "m³", "31°", "µm", "−9.81".
+std::string plain(std::string_view text) {
+  struct Sign {
+    std::string_view written, plain;
+  };
+  constexpr Sign signs[] = {{"\u00b2", "^2"},    {"\u00b3", "^3"}, {"\u00b5", "u"}, {"\u03bc", "u"},
+                            {"\u00b0", " deg "}, {"\u00b7", "*"},  {"\u2212", "-"}};
+  std::string result;
+  while (!text.empty()) {
+    std::string_view written = text.substr(0, 1), letters = written;
+    for (const Sign& sign : signs) {
+      if (!text.starts_with(sign.written)) continue;
+      written = sign.written;
+      letters = sign.plain;
+    }
+    result += letters;
+    text.remove_prefix(written.size());
+  }
+  return result;
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// Reads the factors of a unit one by one.
 class UnitReader {
  public:
@@ -126,7 +149,7 @@ class UnitReader {
   }
 
  private:
-  /// One factor: a symbol (or the 1 of "1/s") and an optional integer power.
+  /// One factor: a symbol (or the 1 of "1/s") and an optional integer power: m^3, m3.
   bool factor(int sign) {
     std::size_t length = 0;
     while (length < text_.size() && is_letter(text_[length])) ++length;
@@ -135,13 +158,17 @@ class UnitReader {
     const std::string name(text_.substr(0, length));
     text_.remove_prefix(length);
     int power = 1;
-    if (!text_.empty() && text_.front() == '^' && !read_power(power)) return false;
+    if (!text_.empty() && text_.front() == '^') {
+      text_.remove_prefix(1);
+      if (!read_power(power)) return false;
+    } else if (is_letter(name[0]) && !text_.empty() && is_digit(text_.front())) {
+      if (!read_power(power)) return false;
+    }
     apply(name, sign * power);
     return true;
   }
 
   bool read_power(int& power) {
-    text_.remove_prefix(1);
     const auto [end, error] = std::from_chars(text_.data(), text_.data() + text_.size(), power);
     if (error != std::errc()) return false;
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
@@ -183,8 +210,9 @@ std::string unit_symbol(Unit unit) { return info(unit).symbol; }
 std::string unit_quantity(Unit unit) { return info(unit).quantity; }
 std::string unit_examples(Unit unit) { return info(unit).examples; }
 
-std::optional<Quantity> parse_quantity(std::string_view text) {
-  text = trim(text);
+std::optional<Quantity> parse_quantity(std::string_view written) {
+  const std::string letters = plain(written);
+  std::string_view text = trim(letters);
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
   Quantity quantity;
   const auto [end, error] =

@@ -54,8 +54,9 @@ struct Quantity {
 };
 
 /// Splits `text` into a leading number and a unit made of factors joined by "*", "/", " " with
-/// integer powers ("kN/m^3"). Empty when the text does not begin with a complete number followed
-/// by something that looks like a unit (so "-9.81*min(t,1)" is no quantity).
+/// integer powers ("kN/m^3", also "kN/m3" and "kN/m³"; "µ" is u, "°" is deg). Empty when the text
+/// does not begin with a complete number followed by something that looks like a unit (so
+/// "-9.81*min(t,1)" is no quantity).
 std::optional<Quantity> parse_quantity(std::string_view text);
 
 }  // namespace scree

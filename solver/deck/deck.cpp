@@ -8,6 +8,7 @@
 #include "solver/deck/deck_checks.hpp"
 #include "solver/deck/document.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/new_tables.hpp"
 #include "solver/deck/quiet_floats.hpp"
 
 namespace scree {
@@ -46,7 +47,9 @@ Deck interpret(std::optional<Value> document, const std::vector<std::string>& ov
   Deck deck;
   if (!document) return deck;
   const QuietFloats quiet;
+  const Value original = *document;
   for (const std::string& assignment : overrides) apply_override(*document, assignment, problems);
+  refuse_incomplete_tables(*document, original, deck_schema(), problems);
   SchemaReader reader(context_of(*document), problems);
   reader.read(deck_schema(), &deck, *document, "");
   deck.given = reader.given();

@@ -8,6 +8,7 @@
 #include "solver/base/error.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/deck/initial_stress.hpp"
+#include "solver/deck/particle_faults.hpp"
 #include "solver/particles/sampling.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -24,16 +25,6 @@ std::vector<std::string> names_of(const Specs& specs) {
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string point_text(const std::array<double, 3>& x, int dimension) {
-  std::string text;
-  for (int i = 0; i < dimension; ++i) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.9g", x[static_cast<std::size_t>(i)]);
-    text += (i == 0 ? "[" : ", ") + std::string(buffer);
-  }
-  return text + "]";
 }
 
 class Checker {
@@ -273,7 +264,7 @@ class Checker {
     const auto particles = sample(shape, deck_.domain.lower, deck_.domain.cell_size,
                                   body.particles_per_direction, dimension);
     if (particles.count() > 0) {
-      check_finite(body, particles.position);
+      check_formulas(body, particles);
       check_initial_stress(body, particles.position);
       return;
     }
@@ -283,33 +274,10 @@ class Checker {
                toml_number(spacing) + " m apart), or raise particles_per_direction");
   }
 
-  /// Initial velocities and body forces at t = 0 must be numbers at every particle.
-  void check_finite(const BodySpec& body, const std::vector<double>& position) {
-    const std::string key = "body." + toml_key(body.name) + ".velocity";
-    if (!faulty(key)) {
-      check_finite({"body", body.name, "velocity"}, body.velocity, {"x", "y", "z"}, position);
-    }
-    if (!faulty("method.body_force")) {
-      check_finite({"method", "body_force"}, deck_.method.body_force,
-                   {"x", "y", "z", "X", "Y", "Z", "t"}, position);
-    }
-  }
-
-  void check_finite(const std::vector<std::string>& path, const std::array<Formula, 3>& formulas,
-                    const std::vector<std::string>& variables,
-                    const std::vector<double>& position) {
-    for (const Formula& formula : formulas) {
-      if (!formula.given()) continue;
-      const Expression expression(formula.text, variables);
-      if (expression.constant()) continue;
-      for (std::size_t p = 0; p < position.size(); p += 3) {
-        const std::array<double, 3> x{position[p], position[p + 1], position[p + 2]};
-        const double values[7] = {x[0], x[1], x[2], x[0], x[1], x[2], 0};
-        if (std::isfinite(expression(values))) continue;
-        report(path, "\"" + formula.text + "\" is not finite at the particle at " +
-                         point_text(x, deck_.domain.dimension) + " m");
-        return;
-      }
+  /// Formulas and loads at the particles.
+  void check_formulas(const BodySpec& body, const SampledBody& particles) {
+    for (const ParticleFault& fault : particle_faults(deck_, body, particles, problems_)) {
+      report(fault.path, fault.message, "", fault.repair);
     }
   }
 

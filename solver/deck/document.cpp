@@ -10,6 +10,7 @@
 #include <sstream>
 #include <toml.hpp>
 
+#include "solver/deck/nesting.hpp"
 #include "solver/deck/quiet_floats.hpp"
 #include "solver/deck/syntax_error.hpp"
 
@@ -164,6 +165,10 @@ Problem source_problem(const std::shared_ptr<const std::string>& source, std::st
 std::optional<Value> parse_document(const std::string& text, const std::string& source,
                                     Problems& problems) {
   const auto name = std::make_shared<const std::string>(source);
+  if (auto problem = nesting_problem(text, name)) {
+    problems.add(std::move(*problem));
+    return std::nullopt;
+  }
   std::istringstream stream(text);
   const QuietFloats quiet;
   try {

@@ -4,6 +4,7 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <cctype>
 #include <numbers>
 
 #include "solver/base/error.hpp"
@@ -42,6 +43,14 @@ std::optional<std::size_t> assignment(const std::string& text) {
   return std::nullopt;
 }
 
+/// muParser's own sentence, to be followed by a semicolon: without its full stop and capital.
+std::string library_sentence(const mu::Parser::exception_type& error) {
+  std::string text = error.GetMsg();
+  while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
+  if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 std::string sentence(const mu::Parser::exception_type& error, const mu::Parser& parser,
                      const std::string& text) {
   const std::string token = error.GetToken();
@@ -72,7 +81,7 @@ std::string sentence(const mu::Parser::exception_type& error, const mu::Parser& 
       break;
   }
   if (!token.empty()) return "unexpected \"" + token + "\"" + place;
-  return error.GetMsg();
+  return library_sentence(error);
 }
 
 }  // namespace
@@ -91,7 +100,7 @@ std::optional<std::string> Expression::fault(const std::string& text,
     parser->parser.Eval(results);
     if (results != 1) return "is no expression: a comma outside of a function's arguments";
   } catch (const mu::Parser::exception_type& error) {
-    if (!parser) return "is no expression: " + error.GetMsg();
+    if (!parser) return "is no expression: " + library_sentence(error);
     return "is no expression: " + sentence(error, parser->parser, text);
   }
   return std::nullopt;

@@ -29,6 +29,7 @@ std::array<double, 3> Shape::reference_point() const {
 
 namespace {
 
+using Corner = std::array<double, 2>;
 using Found = std::optional<ShapeProblem>;
 
 bool vanishes(const std::array<double, 3>& v, int dimension) {
@@ -56,12 +57,34 @@ Found cylinder_problem(const ShapeSpec& spec, int dimension) {
   return radius_problem(spec);
 }
 
+/// On which side of the line from p to q the point lies: the sign.
+double side(const Corner& p, const Corner& q, const Corner& point) {
+  return (q[0] - p[0]) * (point[1] - p[1]) - (q[1] - p[1]) * (point[0] - p[0]);
+}
+
+/// Two sides that cross inside both, or nothing; corners that only touch are let pass.
+Found crossing_problem(const std::vector<Corner>& points) {
+  const std::size_t count = points.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Corner &a = points[i], &b = points[(i + 1) % count];
+    for (std::size_t j = i + 2; j < count; ++j) {
+      const Corner &c = points[j], &d = points[(j + 1) % count];
+      if (!(side(a, b, c) * side(a, b, d) < 0) || !(side(c, d, a) * side(c, d, b) < 0)) continue;
+      return ShapeProblem{"points", "the sides " + std::to_string(i + 1) + " and " +
+                                        std::to_string(j + 1) +
+                                        " cross; give the corners in the order of the outline"};
+    }
+  }
+  return std::nullopt;
+}
+
 Found polygon_problem(const ShapeSpec& spec, int dimension) {
   if (spec.points.size() < 3)
     return ShapeProblem{"points", "a polygon needs at least three corners"};
   for (std::size_t i = 0; i < spec.points.size(); ++i)
     if (spec.points[i] == spec.points[(i + 1) % spec.points.size()])
       return ShapeProblem{"points", "two corners that follow each other are the same point"};
+  if (Found crossing = crossing_problem(spec.points)) return crossing;
   double square = 0;  // of the longest edge: the scale of an area
   for (std::size_t i = 0; i < spec.points.size(); ++i) {
     const auto& p = spec.points[i];

@@ -36,10 +36,10 @@ deck.toml:5:9: domain.upper = [0.802, 0.301]: upper - lower = 0.301 m in y is no
      R"~(deck.toml:6:13: domain.cell_size = 1e-9: gives 800000000 cells in x; allowed: at most 1000000 cells an axis; enlarge the cells
 deck.toml:6:13: domain.cell_size = 1e-9: gives 300000000 cells in y; allowed: at most 1000000 cells an axis; enlarge the cells)~"},
     {6, R"~(cel_size = 0.005)~",
-     R"~(deck.toml:2:1: domain.cell_size: required key is missing; allowed: a length [m]; did you mean it by "cel_size"?
+     R"~(deck.toml:2:1: domain.cell_size: required key is missing; allowed: a length [m]; is it meant by the unknown key "cel_size"?
 deck.toml:6:1: domain.cel_size = 0.005: unknown key; allowed: dimension, lower, upper, cell_size; did you mean "cell_size"?)~"},
     {7, R"~([tim])~",
-     R"~(deck.toml:1:1: time: required key is missing; did you mean it by "tim"?
+     R"~(deck.toml:1:1: time: required key is missing; is it meant by the unknown key "tim"?
 deck.toml:7:1: tim = { end = 1.0, cfl = 0.4 }: unknown key; allowed: title, domain, time, method, material, body, traction, boundary, collider, output, history, checkpoint; did you mean "time"?)~"},
     {8, R"~(end = -1)~",
      R"~(deck.toml:8:7: time.end = -1: is too small; allowed: above 0 s)~"},
@@ -88,7 +88,11 @@ flip_blend = 1.5)~",
     {13, R"~(damping = true)~",
      R"~(deck.toml:13:11: method.damping = true: is a boolean, must be a table; allowed: type, value; write { type = ... })~"},
     {13, R"~(body_force = ["1/(X - 0.1*t)", "sqrt(x - 0.05)"])~",
-     R"~(deck.toml:13:14: method.body_force = ["1/(X - 0.1*t)", "sqrt(x - 0.05)"]: "sqrt(x - 0.05)" is not finite at the particle at [0.000833333333, 0.000833333333] m)~"},
+     R"~(deck.toml:13:14: method.body_force = ["1/(X - 0.1*t)", "sqrt(x - 0.05)"]: "sqrt(x - 0.05)" is not finite at the particle at [0.000833333333, 0.000833333333] m, t = 0)~"},
+    {13, R"~(body_force = ["1/0", 0])~",
+     R"~(deck.toml:13:14: method.body_force = ["1/0", 0]: "1/0" is not finite)~"},
+    {13, R"~(body_force = [0, "1/t"])~",
+     R"~(deck.toml:13:14: method.body_force = [0, "1/t"]: "1/t" is not finite at the particle at [0.000833333333, 0.000833333333] m, t = 0)~"},
 };
 // clang-format on
 

@@ -55,7 +55,7 @@ deck.toml:20:1: bodie = { column = { material = "sand", shape = { type = "box", 
     {22, R"~(shape = { type = "bx", lower = [0.0, 0.0], upper = [0.1, 0.2] })~",
      R"~(deck.toml:22:18: body.column.shape.type = "bx": unknown name; allowed: box, sphere, cylinder, polygon, plane, union, difference, intersection; did you mean "box"?)~"},
     {22, R"~(shape = { type = "box", lower = [0.0, 0.0], uper = [0.1, 0.2] })~",
-     R"~(deck.toml:22:9: body.column.shape.upper: required key is missing; allowed: a length [m]; did you mean it by "uper"?
+     R"~(deck.toml:22:9: body.column.shape.upper: required key is missing; allowed: a length [m]; is it meant by the unknown key "uper"?
 deck.toml:22:45: body.column.shape.uper = [0.1, 0.2]: unknown key; allowed: type, lower, upper; did you mean "upper"?)~"},
     {22, R"~(shape = { type = "box", lower = [0.0, 0.0], upper = [0.1, 0.4] })~",
      R"~(deck.toml:22:9: body.column.shape = { type = "box", lower = [0.0, 0.0], upper = [0.1, 0.4] }: reaches from [0, 0] to [0.1, 0.4] m, out of the domain; allowed: [0, 0] to [0.8, 0.3] m; move or shrink the shape, or enlarge the domain)~"},
@@ -74,7 +74,7 @@ deck.toml:22:45: body.column.shape.uper = [0.1, 0.2]: unknown key; allowed: type
     {22, R"~(shape = { type = "plane", point = [0.1, 0.1], normal = [0, 1] })~",
      R"~(deck.toml:22:9: body.column.shape = { type = "plane", point = [0.1, 0.1], normal = [0, 1] }: is unbounded; combine the plane with a bounded shape)~"},
     {22, R"~(shape = { type = "union", of = [{ type = "sphere", center = [0.1, 0.1], radus = 0.05 }] })~",
-     R"~(deck.toml:22:33: body.column.shape.of[0].radius: required key is missing; allowed: a length [m]; did you mean it by "radus"?
+     R"~(deck.toml:22:33: body.column.shape.of[0].radius: required key is missing; allowed: a length [m]; is it meant by the unknown key "radus"?
 deck.toml:22:73: body.column.shape.of[0].radus = 0.05: unknown key; allowed: type, center, radius; did you mean "radius"?)~"},
     {22, R"~(shape = { type = "box", lower = [0.0, 0.0], upper = [0.1, 0.2] }
 particles_per_direction = 0)~",
@@ -85,6 +85,17 @@ velocity = [0.0, "t"])~",
     {22, R"~(shape = { type = "box", lower = [0.0, 0.0], upper = [0.1, 0.2] }
 velocity = [0, "log(0.1 - y)"])~",
      R"~(deck.toml:23:12: body.column.velocity = [0, "log(0.1 - y)"]: "log(0.1 - y)" is not finite at the particle at [0.000833333333, 0.100833333] m)~"},
+    {22, R"~(shape = { type = "box", lower = [0.0, 0.0], upper = [0.1, 0.2] }
+velocity = ["x", "sqrt(-1)"])~",
+     R"~(deck.toml:23:12: body.column.velocity = ["x", "sqrt(-1)"]: "sqrt(-1)" is not finite)~"},
+    {22, R"~(shape = { type = "polygon", points = [[0, 0], [0.1, 0.1], [0.1, 0], [0, 0.15]] })~",
+     R"~(deck.toml:22:38: body.column.shape.points = [[0, 0], [0.1, 0.1], [0.1, 0], [0, 0.15]]: the sides 1 and 3 cross; give the corners in the order of the outline)~"},
+    {22, R"~(shape = { type = "polygon", points = [[0, 0], [0.1, 0.1], [0.1, 0], [0, 0.1]] })~",
+     R"~(deck.toml:22:38: body.column.shape.points = [[0, 0], [0.1, 0.1], [0.1, 0], [0, 0.1]]: the sides 1 and 3 cross; give the corners in the order of the outline)~"},
+    {17, R"~(youngs_modulus = "2 mPa")~",
+     R"~(deck.toml:17:18: material.sand.youngs_modulus = "2 mPa": is in thousandths of a pascal; allowed: Pa, kPa, MPa, GPa, bar; did you mean "2 MPa"?)~"},
+    {22, R"~(shape = { type = "box", lower = ["0,0 mm", 0], upper = [0.1, 0.2] })~",
+     R"~(deck.toml:22:34: body.column.shape.lower[0] = "0,0 mm": is not a number with a unit; allowed: a number in m or a quoted number with a unit (m, mm, cm, km); write a decimal point: "0.0 mm")~"},
 };
 // clang-format on
 

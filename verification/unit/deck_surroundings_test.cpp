@@ -46,6 +46,32 @@ region = { type = "box", lower = [0, 0], upper = [1, 1] }
 pressure = 1
 value = [1, 2])~",
      R"~(deck.toml:28:12: traction.t.pressure = 1: a traction is given by exactly one of `pressure` and `value`; delete one of them)~"},
+    {25, R"~([traction.t]
+body = "column"
+region = { type = "box", lower = [0.3, 0.1], upper = [0.4, 0.2] }
+pressure = "1 kPa")~",
+     R"~(deck.toml:27:10: traction.t.region = { type = "box", lower = [0.3, 0.1], upper = [0.4, 0.2] }: holds no face of the body's surface, so that nothing is loaded; move or enlarge it until it holds centres of faces, or see `facing`)~"},
+    {25, R"~([traction.t]
+body = "column"
+region = { type = "box", lower = [0, 0], upper = [1, 1] }
+facing = [1, 0]
+pressure = "1/t")~",
+     R"~(deck.toml:29:12: traction.t.pressure = "1/t": "1/t" is not finite at the particle at [0.0991666667, 0.000833333333] m, t = 0)~"},
+    {25, R"~([traction.t]
+body = "column"
+region = { type = "box", lower = [0, 0], upper = [1, 1] }
+value = [0, "sqrt(-1)"])~",
+     R"~(deck.toml:28:9: traction.t.value = [0, "sqrt(-1)"]: "sqrt(-1)" is not finite)~"},
+    {25, R"~([traction.t]
+body = "column"
+region = { type = "box", lower = [0, 0], upper = [1, 1] }
+pressure = "2 mPa")~",
+     R"~(deck.toml:28:12: traction.t.pressure = "2 mPa": is in thousandths of a pascal; allowed: Pa, kPa, MPa, GPa, bar; did you mean "2 MPa"?)~"},
+    {25, R"~([traction.t]
+body = "column"
+region = { type = "box", lower = [0, 0], upper = [1, 1] }
+pressure = "1,5")~",
+     R"~(deck.toml:28:12: traction.t.pressure = "1,5": is no number; allowed: a number in Pa or a quoted number with a unit (Pa, kPa, MPa, GPa, bar); write a decimal point: "1.5")~"},
     {27, R"~(every = 0)~",
      R"~(deck.toml:27:9: output.every = 0: is too small; allowed: above 0 s)~"},
     {27, R"~(every = "20 mm")~",

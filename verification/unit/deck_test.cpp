@@ -224,6 +224,23 @@ TEST(Override, ProblemsNameTheOption) {
             "table, e.g. --set 'boundary.x_min={ type = ... }'\n");
 }
 
+TEST(Override, NamesOfTablesThatAreNotThere) {
+  EXPECT_EQ(problems_of(good_deck, {"material.sadn.friction_angle=0.5"}),
+            "--set material.sadn.friction_angle=0.5: material.sadn: there is no [material.sadn]; "
+            "allowed: sand; did you mean \"sand\"?\n");
+  EXPECT_EQ(problems_of(good_deck, {"body.wall.velocity=[1, 0]"}),
+            "--set body.wall.velocity=[1, 0]: body.wall: there is no [body.wall]; allowed: column; "
+            "to make it, set also material, shape\n");
+}
+
+TEST(Override, MakesWholeTables) {
+  const Deck deck = good(good_deck, {"body.colum.material=sand",
+                                     "body.colum.shape={ type = \"box\", lower = [0.2, 0.0], "
+                                     "upper = [0.3, 0.1] }"});
+  ASSERT_EQ(deck.bodies.size(), 2u);
+  EXPECT_EQ(deck.bodies[1].name, "colum");
+}
+
 TEST(Deck, ReportsAllProblemsAtOnceInTheOrderOfTheFile) {
   std::string text = good_deck;
   const auto replace = [&](const std::string& from, const std::string& to) {
@@ -269,6 +286,33 @@ TEST(DeckFile, MissingDirectoryEmpty) {
             empty +
                 ": the deck is empty; begin with inputs/tutorial/sand_column_2d.toml, or see "
                 "scree describe\n");
+}
+
+TEST(DeckFile, NestsAHundredLevelsAndNoMore) {
+  const auto times = [](int count, const std::string& text) {
+    std::string result;
+    for (int i = 0; i < count; ++i) result += text;
+    return result;
+  };
+  const std::string report =
+      ": brackets or dotted keys nest too deep; allowed: at most 100 levels; close brackets that "
+      "are open\n";
+  // 20 000 levels overflow the stack of a parser that calls itself.
+  EXPECT_EQ(problems_of("a = 1\nb = " + times(20000, "[")), "deck.toml:2:105" + report);
+  EXPECT_EQ(problems_of(times(20000, "a.") + "a = 1"), "deck.toml:1:202" + report);
+  EXPECT_EQ(problems_of("x = " + times(101, "{ a = ")), "deck.toml:1:605" + report);
+  const std::string brackets = times(200, "[");
+  const std::vector<std::string> titles{
+      "title = \"\\\"" + brackets + "\"", "title = '" + brackets + "'",
+      "title = \"\"\"\n\"" + brackets + "\"\"\"", "title = '''" + brackets + "'''",
+      "title = \"a\" # " + brackets};
+  for (const std::string& title : titles) {
+    EXPECT_EQ(problems_of(with_line(1, title)), "") << title;
+  }
+  // As deep as allowed: read, and then not understood.
+  EXPECT_EQ(problems_of(with_line(1, "title = " + times(100, "[") + times(100, "]")))
+                .rfind("deck.toml:1:9: title = [[[", 0),
+            0u);
 }
 
 TEST(DeckFile, NamesTheRun) {

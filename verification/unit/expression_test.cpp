@@ -82,6 +82,12 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"1,2", "is no expression: a comma outside of a function's arguments"},
         Fault{"", "is no expression: the expression is empty"}));
 
+TEST(Expression, LibrarySentencesHaveNoFullStop) {
+  std::string text = "1";
+  while (text.size() < 50000) text += "+1";  // longer than muParser takes
+  EXPECT_EQ(Expression::fault(text, {}), "is no expression: expression too long");
+}
+
 TEST(Expression, ComparisonsAreNoAssignments) {
   for (const char* text : {"x == 1", "x <= 1", "x >= 1", "x != 1"}) {
     EXPECT_FALSE(Expression::fault(text, {"x"})) << text;

@@ -199,8 +199,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"length = 0.2\nratio = 0.4",
              "f:2:9: ratio = 0.4: is not below length; allowed: less; shrink it\n"},
         Case{"lenght = 1",
-             "f:1:1: length: required key is missing; allowed: a length [m]; did you mean it by "
-             "\"lenght\"?\n"
+             "f:1:1: length: required key is missing; allowed: a length [m]; is it meant by "
+             "the unknown key \"lenght\"?\n"
              "f:1:1: lenght = 1: unknown key; allowed: length, ratio, extra, count, on, label, "
              "words, "
              "color, point, velocity, inner, parts; did you mean \"length\"?\n"}));

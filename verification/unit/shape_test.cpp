@@ -324,6 +324,7 @@ TEST(Shape, MistakesAreNamed) {
   EXPECT_EQ(key(polygon({{0, 0}, {1, 0}}), 2), "points");
   EXPECT_EQ(key(polygon({{0, 0}, {1, 1}, {3, 3}}), 2), "points");
   EXPECT_EQ(key(polygon({{0, 0}, {1, 1}, {1, 1}, {0, 1}}), 2), "points");
+  EXPECT_EQ(key(polygon({{0, 0}, {1, 1}, {1, 0}, {0, 1.5}}), 2), "points");  // crosses itself
   EXPECT_EQ(key(polygon(ell, 1, 1), 3), "z");
   EXPECT_EQ(key(plane({0, 0, 0}, {0, 0, 1}), 2), "normal");
   EXPECT_EQ(key(combine(ShapeKind::union_of, {}), 2), "of");

@@ -50,6 +50,19 @@ INSTANTIATE_TEST_SUITE_P(
         Conversion{" 4 m ", 4, Unit::length}, Conversion{"2 m^2", 2, Unit::area},
         Conversion{"2 cm^3", 2e-6, Unit::volume}));
 
+// As engineers write: powers without ^, raised figures, degree sign, micro, minus sign.
+INSTANTIATE_TEST_SUITE_P(Signs, Conversions,
+                         testing::Values(Conversion{"1600 kg/m3", 1600, Unit::density},
+                                         Conversion{"1.6 t/m\u00b3", 1600, Unit::density},
+                                         Conversion{"10 N/mm2", 10 * 1e6, Unit::pressure},
+                                         Conversion{"\u22129.81 m/s\u00b2", -9.81,
+                                                    Unit::acceleration},
+                                         Conversion{"31\u00b0", 31 * degree, Unit::angle},
+                                         Conversion{"31 \u00b0", 31 * degree, Unit::angle},
+                                         Conversion{"5 \u00b5m", 5 / 1e6, Unit::length},
+                                         Conversion{"5 \u03bcs", 5 / 1e6, Unit::time},
+                                         Conversion{"2 N\u00b7m/m3", 2, Unit::pressure}));
+
 TEST(Quantity, DecimalPrefixesAreExact) {
   // "5 mm" must be the double nearest to 0.005, not 5 times the rounded 1e-3: cell counts depend on
   // it.
@@ -74,7 +87,7 @@ TEST(Quantity, NamesAnUnknownUnit) {
 
 TEST(Quantity, ExpressionsAreNoQuantities) {
   for (const char* text : {"-9.81*min(t/2,1)", "2*x", "x", "", "1 + 2", "sin(t)", "3 m m/", "1e400",
-                           "nan", "inf", "5 mm^x"}) {
+                           "nan", "inf", "5 mm^x", "5 12", "5 m3.5", "5,0 mm", "2 \u00b3"}) {
     EXPECT_FALSE(parse_quantity(text)) << text;
   }
 }

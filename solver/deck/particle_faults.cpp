@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/deck/particle_faults.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "solver/deck/expression.hpp"
+#include "solver/particles/shape.hpp"
+
+namespace scree {
+namespace {
+
+/// What a formula may depend on here.
+enum class Depends { place, place_and_time };
+
+/// Why a formula is no number at t = 0 at one of the particles, or nothing. `particles` are
+/// indices; empty: all.
+std::optional<std::string> fault_of(const Formula& formula, Depends depends, int dimension,
+                                    const std::vector<double>& position,
+                                    const std::vector<std::int64_t>& particles = {}) {
+  if (!formula.given()) return std::nullopt;
+  const bool timed = depends == Depends::place_and_time;
+  const std::vector<std::string> place{"x", "y", "z"}, all{"x", "y", "z", "X", "Y", "Z", "t"};
+  const Expression expression(formula.text, timed ? all : place);
+  const std::size_t every = particles.empty() ? position.size() / 3 : particles.size();
+  const std::size_t count = expression.constant() ? std::min<std::size_t>(every, 1) : every;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t p = particles.empty() ? i : static_cast<std::size_t>(particles[i]);
+    const std::array<double, 3> x{position[3 * p], position[3 * p + 1], position[3 * p + 2]};
+    const double values[7] = {x[0], x[1], x[2], x[0], x[1], x[2], 0};
+    if (std::isfinite(expression(values))) continue;
+    std::string message = "\"" + formula.text + "\" is not finite";
+    if (!expression.constant()) {
+      message += " at the particle at " + point_text(x, dimension) + " m";
+      if (timed) message += ", t = 0";
+    }
+    return message;
+  }
+  return std::nullopt;
+}
+
+std::string dotted(const std::vector<std::string>& path) {
+  std::string key;
+  for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
+  return key;
+}
+
+/// Collects the faults of one body.
+class Finder {
+ public:
+  Finder(const Deck& deck, const SampledBody& particles, const Problems& problems)
+      : deck_(deck), particles_(particles), problems_(problems) {}
+
+  void formulas(const std::vector<std::string>& path, const std::array<Formula, 3>& components,
+                Depends depends, const std::vector<std::int64_t>& particles = {}) {
+    if (problems_.any_under(dotted(path))) return;
+    for (const Formula& formula : components) {
+      const auto fault =
+          fault_of(formula, depends, deck_.domain.dimension, particles_.position, particles);
+      if (!fault) continue;
+      faults_.push_back({path, *fault, ""});
+      return;
+    }
+  }
+
+  void traction(const TractionSpec& spec) {
+    const std::string key = dotted({"traction", spec.name});
+    for (const char* needed : {".region", ".facing"}) {
+      if (problems_.any_under(key + needed)) return;
+    }
+    if (problems_.any_under("boundary")) return;
+    const SurfacePatch patch = loaded_faces(deck_, spec, particles_);
+    if (patch.count() == 0) {
+      faults_.push_back({{"traction", spec.name, "region"},
+                         "holds no face of the body's surface, so that nothing is loaded",
+                         "move or enlarge it until it holds centres of faces, or see `facing`"});
+      return;
+    }
+    formulas({"traction", spec.name, "pressure"}, {spec.pressure, {}, {}}, Depends::place_and_time,
+             patch.particle);
+    formulas({"traction", spec.name, "value"}, spec.value, Depends::place_and_time, patch.particle);
+  }
+
+  std::vector<ParticleFault> faults() && { return std::move(faults_); }
+
+ private:
+  const Deck& deck_;
+  const SampledBody& particles_;
+  const Problems& problems_;
+  std::vector<ParticleFault> faults_;
+};
+
+}  // namespace
+
+std::string ParticleFault::key() const { return dotted(path); }
+
+std::string point_text(const std::array<double, 3>& x, int dimension) {
+  std::string text;
+  for (int i = 0; i < dimension; ++i) {
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.9g", x[static_cast<std::size_t>(i)]);
+    text += (i == 0 ? "[" : ", ") + std::string(buffer);
+  }
+  return text + "]";
+}
+
+SurfacePatch loaded_faces(const Deck& deck, const TractionSpec& traction, const SampledBody& body) {
+  const auto region = make_shape(traction.region, deck.domain.dimension);
+  SurfaceSelection selection;
+  selection.region = region.get();
+  selection.facing = traction.facing;
+  for (int a = 0; a < deck.domain.dimension; ++a) {
+    for (int side = 0; side < 2; ++side) {
+      selection.wall[std::size_t(a)][std::size_t(side)] =
+          deck.boundary.face(a, side).type != FaceType::open;
+    }
+  }
+  selection.domain_upper = deck.domain.upper;
+  return exposed_faces(body, selection);
+}
+
+std::vector<ParticleFault> particle_faults(const Deck& deck, const BodySpec& body,
+                                           const SampledBody& particles, const Problems& problems) {
+  Finder finder(deck, particles, problems);
+  finder.formulas({"body", body.name, "velocity"}, body.velocity, Depends::place);
+  finder.formulas({"method", "body_force"}, deck.method.body_force, Depends::place_and_time);
+  for (const TractionSpec& traction : deck.tractions) {
+    if (traction.body == body.name) finder.traction(traction);
+  }
+  return std::move(finder).faults();
+}
+
+}  // namespace scree
