@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <thread>
 
 #include "app/build_simulation.hpp"
+#include "app/deck_warnings.hpp"
 #include "solver/base/error.hpp"
 #include "solver/deck/deck.hpp"
 #include "solver/particles/shape.hpp"
@@ -54,7 +56,14 @@ std::string duration_text(double seconds) {
   if (seconds < 120) return fmt::format("{:.0f} s", std::max(1.0, seconds));
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
   if (seconds < 172800) return fmt::format("{:.1f} h", seconds / 3600);
-  return fmt::format("{:.1f} days", seconds / 86400);
+  const double years = seconds / (365.25 * 86400);
+  if (years < 2) return fmt::format("{:.1f} days", seconds / 86400);
+  return fmt::format("{:.3g} years", years);
+}
+
+/// A whole number; beyond 1e12 only its size, not hundreds of digits.
+std::string count_text(double x) {
+  return x < 1e12 ? fmt::format("{:.0f}", x) : fmt::format("{:.3g}", x);
 }
 
 /// To three digits.
@@ -118,23 +127,58 @@ int thread_count(int asked) {
   return asked > 0 ? asked : std::max(1, cores);
 }
 
-void predict_effort(const Deck& deck, Simulation& simulation, int threads) {
-  const double dt = simulation.dt();
-  line("blocks", fmt::format("{} of 4^{} cells", simulation.block_count(), deck.domain.dimension));
-  line("first step", fmt::format("{:.4g} s{}", dt, deck.time.step ? " (fixed)" : ""));
-  line("memory", fmt::format("about {}", bytes_text(double(simulation.memory().total()))));
-  const Measurement measured = measure(simulation, deck.time.end);
+/// What is printed about a deck that fits into memory.
+struct Prediction {
+  std::string particles, masses;
+  std::vector<std::string> warnings;
+  int threads = 1;
+  std::size_t blocks = 0;
+  double first_step = 0;  ///< s
+  double bytes = 0;
+  Measurement measured;
+};
+
+Prediction predict(const Deck& deck, int threads) {
+  SimulationSetup setup = build_setup(deck);
+  setup.threads = threads;
+  Prediction result;
+  result.threads = threads;
+  result.particles = particles_text(setup);
+  result.masses = masses_text(deck, setup);
+  result.warnings = deck_warnings(deck, setup);
+  const auto simulation = Simulation::create(std::move(setup));
+  result.blocks = static_cast<std::size_t>(simulation->block_count());
+  result.first_step = simulation->dt();
+  result.bytes = static_cast<double>(simulation->memory().total());
+  result.measured = measure(*simulation, deck.time.end);
+  return result;
+}
+
+void print_effort(const Deck& deck, const Prediction& prediction) {
+  const Measurement& measured = prediction.measured;
   // Steps shortened to hit output times make the mean a little less than the first.
-  const double mean = measured.steps > 0 ? measured.dt : dt;
+  const double mean = measured.steps > 0 ? measured.dt : prediction.first_step;
   const double steps = std::ceil(deck.time.end / mean);
-  line("steps", fmt::format("about {:.0f} to {:.6g} s", rounded(steps), deck.time.end));
-  if (!measured.fault.empty()) {
-    line("warning", "the first steps fail: " + measured.fault);
-  } else if (measured.steps > 0) {
-    line("estimated time",
-         fmt::format("about {} with {} threads (from {} steps on this machine)",
-                     duration_text(steps * measured.seconds_per_step), threads, measured.steps));
-  }
+  line("steps", fmt::format("about {} to {:.6g} s", count_text(rounded(steps)), deck.time.end));
+  const double frames = deck.output.format == FrameFormat::none
+                            ? 0
+                            : std::ceil(deck.time.end / deck.output.every * (1 - 1e-9)) + 1;
+  line("frames", count_text(frames));
+  if (!measured.fault.empty() || measured.steps == 0) return;
+  line("estimated time", fmt::format("about {} with {} threads (from {} steps on this machine)",
+                                     duration_text(steps * measured.seconds_per_step),
+                                     prediction.threads, measured.steps));
+}
+
+void print(const Deck& deck, const Prediction& prediction) {
+  line("particles", prediction.particles);
+  line("mass", prediction.masses);
+  line("blocks", fmt::format("{} of 4^{} cells", prediction.blocks, deck.domain.dimension));
+  line("first step",
+       fmt::format("{:.4g} s{}", prediction.first_step, deck.time.step ? " (fixed)" : ""));
+  line("memory", fmt::format("about {}", bytes_text(prediction.bytes)));
+  print_effort(deck, prediction);
+  for (const std::string& warning : prediction.warnings) line("warning", warning);
 }
 
 }  // namespace
@@ -157,19 +201,14 @@ int check_command(const CheckOptions& options) {
                                bytes_text(bound * bytes_per_particle)));
     return 0;
   }
-  SimulationSetup setup = build_setup(deck);
-  setup.threads = thread_count(options.threads);
-  const int threads = setup.threads;
-  const std::string particles = particles_text(setup);
-  const auto simulation = Simulation::create(std::move(setup));
-  fmt::print("{}: valid\n", options.deck);
-  line("particles", particles);
-  predict_effort(deck, *simulation, threads);
-  const double frames = deck.output.format == FrameFormat::none
-                            ? 0
-                            : std::ceil(deck.time.end / deck.output.every * (1 - 1e-9)) + 1;
-  line("frames", fmt::format("{:.0f}", frames));
-  return 0;
+  const Prediction prediction = predict(deck, thread_count(options.threads));
+  const std::string& fault = prediction.measured.fault;
+  if (fault.empty()) fmt::print("{}: valid\n", options.deck);
+  print(deck, prediction);
+  if (fault.empty()) return 0;
+  std::fflush(stdout);
+  fmt::print(stderr, "scree: {}: the first steps fail: {}\n", options.deck, fault);
+  return 1;
 }
 
 }  // namespace scree

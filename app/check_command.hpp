@@ -14,7 +14,7 @@ struct CheckOptions {
 };
 
 /// `scree check`: reads a deck, prints all its problems or what the run will need; writes nothing.
-/// Returns 0 or 2.
+/// Returns 0; 1 when the first steps fail; 2 when the deck is wrong.
 int check_command(const CheckOptions& options);
 
 }  // namespace scree

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/build_simulation.hpp"
+#include "app/deck_warnings.hpp"
 #include "app/progress.hpp"
 #include "app/recorder.hpp"
 #include "app/run_folder.hpp"
@@ -66,6 +67,10 @@ std::vector<std::string> collider_names(const Deck& deck) {
   std::vector<std::string> names;
   for (const ColliderSpec& collider : deck.colliders) names.push_back(collider.name);
   return names;
+}
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& text : warnings) fmt::print(stderr, "scree: warning: {}\n", text);
 }
 
 /// A run from its deck to its summary.
@@ -130,6 +135,7 @@ void Run::build() {
   SimulationSetup setup = build_setup(deck_);
   setup.threads = record_.threads;
   schedule_ = setup.schedule;
+  if (!options_.quiet && !checkpoint_) warn(deck_warnings(deck_, setup));
   simulation_ = Simulation::create(std::move(setup));
   if (checkpoint_) simulation_->load(*checkpoint_);
 }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/deck_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "solver/particles/shape.hpp"
+#include "solver/particles/shape_volume.hpp"
+
+namespace scree {
+namespace {
+
+/// Beyond this the particles are too coarse for their shape.
+constexpr double most_missing = 0.05;
+
+const char* mass_unit(const Deck& deck) { return deck.domain.dimension == 2 ? "kg/m" : "kg"; }
+
+double mass_of(const BodySetup& body) {
+  return body.density * body.particle_volume * static_cast<double>(body.position.size() / 3);
+}
+
+std::optional<double> exact_mass(const Deck& deck, std::size_t body, double density) {
+  const auto volume = exact_volume(deck.bodies[body].shape, deck.domain.dimension);
+  if (!volume) return std::nullopt;
+  return density * *volume;
+}
+
+bool within(const Box& box, const double* x, int dimension) {
+  for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+    if (x[a] < box.lower[a] || x[a] > box.upper[a]) return false;
+  }
+  return true;
+}
+
+/// Particles of a body inside a shape. Those within 1e-4 of a cell of its surface do not count:
+/// bodies that share a face may have centres on it.
+std::int64_t count_inside(const BodySetup& body, const ShapeSpec& spec, const Deck& deck) {
+  const int dimension = deck.domain.dimension;
+  const double margin = 1e-4 * deck.domain.cell_size;
+  const auto shape = make_shape(spec, dimension);
+  const Box box = shape->bounds();
+  std::int64_t count = 0;
+  for (std::size_t p = 0; p < body.position.size(); p += 3) {
+    const double* x = &body.position[p];
+    if (within(box, x, dimension) && shape->signed_distance(x) < -margin) ++count;
+  }
+  return count;
+}
+
+std::string particles(std::int64_t count) {
+  return fmt::format("{} particle{}", count, count == 1 ? "" : "s");
+}
+
+void add_overlaps(const Deck& deck, const SimulationSetup& setup,
+                  std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+    for (std::size_t j = i + 1; j < setup.bodies.size(); ++j) {
+      // A small body between the particles of a coarse one shows from one side only.
+      const BodySetup &first = setup.bodies[i], &second = setup.bodies[j];
+      std::int64_t count = count_inside(second, deck.bodies[i].shape, deck);
+      const BodySetup& outer = count > 0 ? first : second;
+      const BodySetup& inner = count > 0 ? second : first;
+      if (count == 0) count = count_inside(first, deck.bodies[j].shape, deck);
+      if (count == 0) continue;
+      warnings.push_back(
+          fmt::format("the bodies {} and {} overlap: {} of {} in {}, where mass counts twice",
+                      first.name, second.name, particles(count), inner.name, outer.name));
+    }
+  }
+}
+
+void add_colliders(const Deck& deck, const SimulationSetup& setup,
+                   std::vector<std::string>& warnings) {
+  for (const ColliderSpec& collider : deck.colliders) {
+    for (const BodySetup& body : setup.bodies) {
+      const std::int64_t count = count_inside(body, collider.shape, deck);
+      if (count == 0) continue;
+      warnings.push_back(fmt::format("the collider {} holds {} of the body {} at t = 0",
+                                     collider.name, particles(count), body.name));
+    }
+  }
+}
+
+void add_masses(const Deck& deck, const SimulationSetup& setup,
+                std::vector<std::string>& warnings) {
+  for (std::size_t b = 0; b < setup.bodies.size(); ++b) {
+    const double mass = mass_of(setup.bodies[b]);
+    const auto exact = exact_mass(deck, b, setup.bodies[b].density);
+    if (!exact || std::abs(mass - *exact) <= most_missing * *exact) continue;
+    warnings.push_back(
+        fmt::format("the particles of the body {} have {:.5g} {}, but its shape {:.5g} {}; lower "
+                    "domain.cell_size or raise particles_per_direction",
+                    setup.bodies[b].name, mass, mass_unit(deck), *exact, mass_unit(deck)));
+  }
+}
+
+}  // namespace
+
+std::string masses_text(const Deck& deck, const SimulationSetup& setup) {
+  std::string text;
+  for (std::size_t b = 0; b < setup.bodies.size(); ++b) {
+    const BodySetup& body = setup.bodies[b];
+    text += fmt::format("{}{} {:.5g} {}", b == 0 ? "" : ", ", body.name, mass_of(body),
+                        mass_unit(deck));
+    if (const auto exact = exact_mass(deck, b, body.density)) {
+      text += fmt::format(" (shape {:.5g})", *exact);
+    }
+  }
+  return text;
+}
+
+std::vector<std::string> deck_warnings(const Deck& deck, const SimulationSetup& setup) {
+  std::vector<std::string> warnings;
+  add_overlaps(deck, setup, warnings);
+  add_colliders(deck, setup, warnings);
+  add_masses(deck, setup, warnings);
+  return warnings;
+}
+
+}  // namespace scree
