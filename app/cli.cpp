@@ -2,11 +2,13 @@
 #include "app/cli.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <functional>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/bench_command.hpp"
@@ -240,10 +242,18 @@ int complain_about(const CLI::ParseError& error, const CLI::App& app,
   return complain(std::string(error.what()) + "; see " + name + " --help");
 }
 
+/// A full disk or a closed pipe must not pass for success: all that was printed has arrived.
+int delivered(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  const std::string cause = std::generic_category().message(errno);
+  complain("the output could not be written: " + cause);
+  return status == 0 ? 1 : status;
+}
+
 /// Runs the command and turns exceptions into sentences and exit states.
 int guarded(const std::function<int()>& action) {
   try {
-    return action();
+    return delivered(action());
   } catch (const UserError& error) {
     return complain(error.what());
   } catch (const RunFault& fault) {

@@ -14,7 +14,7 @@ namespace {
 void require(const Reference& reference, const std::string& topic) {
   if (topic.empty() || !reference.find(topic).empty()) return;
   const auto topics = reference.topics();
-  const std::string near = did_you_mean(topic, topics);
+  const std::string near = did_you_mean(topic, reference.names());
   throw UserError("there is no topic \"" + topic + "\"; topics: " + join(topics) +
                   (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
 }

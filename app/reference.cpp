@@ -74,6 +74,16 @@ std::vector<std::string> Reference::topics() const {
   return names;
 }
 
+std::vector<std::string> Reference::names() const {
+  std::vector<std::string> result = topics();
+  for (const ReferenceSection& section : sections_) {
+    for (const std::string& key : section.schema->keys()) {
+      if (std::find(result.begin(), result.end(), key) == result.end()) result.push_back(key);
+    }
+  }
+  return result;
+}
+
 std::vector<StateField> output_fields(const ReferenceSection& section) {
   std::vector<StateField> fields;
   const MaterialEntry* model =

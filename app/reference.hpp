@@ -28,6 +28,8 @@ class Reference {
   std::vector<const ReferenceSection*> find(const std::string& topic) const;
   /// The names of the schemas.
   std::vector<std::string> topics() const;
+  /// All that find() knows: the topics and all keys, each once.
+  std::vector<std::string> names() const;
 
  private:
   void collect(const SchemaBase& schema, const std::string& place, bool model);

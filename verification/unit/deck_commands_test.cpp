@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line: exit states and sentences, all through scree_main.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "app/cli.hpp"
+#include "verification/support/process.hpp"
 #include "verification/support/temporary_folder.hpp"
 #include "verification/unit/broken_deck.hpp"
 
@@ -121,7 +124,22 @@ TEST(Describe, UnknownTopicsGetASuggestion) {
   EXPECT_NE(outcome.error.find("did you mean \"drucker_prager\"?"), std::string::npos)
       << outcome.error;
   EXPECT_EQ(scree({"describe", "--markdown", "--json-schema"}).status, 2);
+  const Outcome key = scree({"describe", "friction_angel"});
+  EXPECT_NE(key.error.find("did you mean \"friction_angle\"?"), std::string::npos) << key.error;
 }
+
+#ifdef SCREE_EXECUTABLE
+TEST(Describe, AFullDiskIsNoSuccess) {
+  const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+  if (full < 0) GTEST_SKIP() << "no /dev/full";
+  const ProcessResult result =
+      run_process({SCREE_EXECUTABLE, "describe", "time"}, [full] { dup2(full, STDOUT_FILENO); });
+  close(full);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("the output could not be written: No space left"), std::string::npos)
+      << result.err;
+}
+#endif
 
 TEST(Describe, PrintsAllForms) {
   EXPECT_NE(scree({"describe"}).out.find("friction_angle"), std::string::npos);
