@@ -20,6 +20,9 @@ namespace scree {
 /// 1, and the Cauchy stress is the same. Where J is det F, it is not, but a particle's reference
 /// volume V0 times this stress is what balances its weight.
 ///
+/// This is for laws without history in their stress; others know better (MaterialEntry::
+/// state_under).
+///
 /// Accuracy: 1e-12 of the largest stress, or the rounding of the deformation gradient times the
 /// law's stiffness. `point` must be in the law's initial state; its state is lost.
 std::optional<std::vector<double>> initial_state(MaterialPoint& point,

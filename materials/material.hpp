@@ -23,6 +23,13 @@ struct StateField {
   bool output = true;  ///< offered as an output field
 };
 
+/// Of a particle whose state is not admissible, where the general sentence would mislead: "has no
+/// voids left", and what helps against it, "lower the loads".
+struct InadmissibleText {
+  const char* what;
+  const char* repair;
+};
+
 /// What every law provides:
 ///
 /// - `static constexpr const char* name;` the deck name of the model
@@ -58,6 +65,11 @@ struct StateField {
 /// with explicit viscosity, which limits the time step; and the constants `effective_stress` (may
 /// carry pore water), `hyperelastic = false` (the elastic stress is no derivative of
 /// energy_density) and `explicit_hardening = true` (the yield surface moves after the return).
+///
+/// Optional functions of the Input, for decks; MaterialEntry says what they mean: `double
+/// rest_ratio(const Input&)`; `std::optional<State<double>> state_under(const Input&, const
+/// std::array<double, 3>&)` with `std::string stress_repair(const Input&)`; `std::optional<Finding>
+/// density_fault(const Input&, double)`; and the constant `InadmissibleText inadmissible`.
 template <class M>
 concept Material = requires(const typename M::Input& input) {
   { M::name } -> std::convertible_to<const char*>;

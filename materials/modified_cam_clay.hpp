@@ -5,9 +5,11 @@
 /// State Soil Mechanics, Cambridge University Press 1990.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "materials/cam_clay_return.hpp"
 #include "materials/log_determinant.hpp"
@@ -40,6 +42,8 @@ struct ModifiedCamClay {
   static constexpr bool effective_stress = true;
   /// The stress is no derivative of energy_density: see above.
   static constexpr bool hyperelastic = false;
+  static constexpr InadmissibleText inadmissible{
+      "has no voids left", "lower the loads, raise reference_void_ratio, or lower time.cfl"};
 
   struct Input {
     double m = std::numeric_limits<double>::quiet_NaN();
@@ -53,6 +57,19 @@ struct ModifiedCamClay {
   };
 
   static Schema<Input> schema();
+
+  // Ground at the start; modified_cam_clay_ground.hpp.
+  /// K0 of normally consolidated ground: what the law itself comes to in one-dimensional
+  /// compression.
+  static double rest_ratio(const Input& in);
+  template <class V>
+  struct State;
+  /// On the swelling line of its pc, exact: pc is ocr times that of the yield surface through the
+  /// stress, or else preconsolidation_pressure, and v follows from pc and p. Nothing where the
+  /// stress is outside of the yield surface, no compression, or leaves no voids.
+  static std::optional<State<double>> state_under(const Input& in,
+                                                  const std::array<double, 3>& stress);
+  static std::string stress_repair(const Input& in);
 
   template <class T>
   struct Params {
@@ -86,15 +103,15 @@ struct ModifiedCamClay {
   };
 
   static std::vector<StateField> fields() {
-    return {
-        {"normalized_deviator", 6, "1",
-         "Deviator of the effective Cauchy stress over the preconsolidation pressure.", true},
-        {"log_specific_volume", 1, "1", "ln of the specific volume over its initial value.", true},
-        {"log_preconsolidation", 1, "1",
-         "ln of the preconsolidation pressure over its initial value.", true},
-        {"equivalent_plastic_strain", 1, "1",
-         "Sum of sqrt(2/3) |deviator of the plastic strain increment|.", true},
-        {"log_volume_ratio", 1, "1", "ln J, elastic and plastic.", true}};
+    return {{"normalized_deviator", 6, "1",
+             "Deviator of the effective Cauchy stress over the preconsolidation pressure.", true},
+            {"log_specific_volume", 1, "1",
+             "ln of the specific volume over that of the material's keys.", true},
+            {"log_preconsolidation", 1, "1",
+             "ln of the preconsolidation pressure over that of the material's keys.", true},
+            {"equivalent_plastic_strain", 1, "1",
+             "Sum of sqrt(2/3) |deviator of the plastic strain increment|.", true},
+            {"log_volume_ratio", 1, "1", "ln J, elastic and plastic.", true}};
   }
 
   template <class V, class T>
@@ -179,11 +196,15 @@ struct ModifiedCamClay {
   static double preconsolidation(const Input& in) {
     return in.ocr ? *in.ocr * in.initial_pressure : in.preconsolidation_pressure.value_or(0);
   }
-  /// v at the start, on the swelling line of pc.
-  static double specific_volume(const Input& in) {
-    const double pc = preconsolidation(in), unit = 1000;  // N is at 1 kPa
+  /// v at the pressure p on the swelling line of pc.
+  static double specific_volume(const Input& in, double pc, double p) {
+    constexpr double unit = 1000;  // N is at 1 kPa
     return 1 + in.reference_void_ratio - in.lambda * std::log(pc / unit) +
-           in.kappa * std::log(pc / in.initial_pressure);
+           in.kappa * std::log(pc / p);
+  }
+  /// v at the start.
+  static double specific_volume(const Input& in) {
+    return specific_volume(in, preconsolidation(in), in.initial_pressure);
   }
 
   /// Where the state is on the swelling line of its pc.
@@ -251,4 +272,5 @@ struct ModifiedCamClay {
 
 }  // namespace scree
 
+#include "materials/modified_cam_clay_ground.hpp"
 #include "materials/modified_cam_clay_schema.hpp"

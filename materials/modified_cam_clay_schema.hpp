@@ -14,7 +14,7 @@ inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
   s.number("lambda", &Input::lambda)
       .typical(0.2)
       .above(0)
-      .doc("Slope of the normal compression line in v over ln p.");
+      .doc("Slope of the normal compression line in v over ln p; above kappa.");
   s.number("kappa", &Input::kappa)
       .typical(0.04)
       .above(0)
@@ -31,14 +31,22 @@ inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
   s.number("initial_pressure", &Input::initial_pressure, Unit::pressure)
       .typical(1e5)
       .above(0)
-      .doc("Mean effective pressure at the start; the body begins under this isotropic stress.");
+      .doc(
+          "Mean effective pressure at the start, at most preconsolidation_pressure; the body "
+          "begins under this isotropic stress. "
+          "Under initial_stress it has no effect.");
   s.number("preconsolidation_pressure", &Input::preconsolidation_pressure, Unit::pressure)
       .above(0)
-      .doc("Isotropic pressure pc at which the soil yields at the start; or give ocr.");
+      .doc(
+          "Isotropic pressure pc at which the soil yields at the start, the same everywhere; or "
+          "give "
+          "ocr.");
   s.number("ocr", &Input::ocr)
       .typical(1.5)
       .at_least(1)
-      .doc("Overconsolidation ratio pc/p at the start, instead of preconsolidation_pressure.");
+      .doc(
+          "Overconsolidation ratio at the start, instead of preconsolidation_pressure: pc/p, under "
+          "initial_stress at each place pc/(p + q^2/(M^2 p)).");
   s.check({"lambda", "kappa"}, [](const Input& in, const SchemaContext&) -> Result {
     if (in.lambda > in.kappa) return std::nullopt;
     return Finding{"lambda", "soil that swells more than it compresses cannot harden",

@@ -5,8 +5,11 @@
 /// modelling and simulation of granular flows through their many phases, J. Fluid Mech. 779, 2015.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 
 #include "materials/elastic_keys.hpp"
 #include "materials/hencky_solid.hpp"
@@ -39,6 +42,14 @@ struct MuI : HenckySolid {
   };
 
   static Schema<Input> schema();
+
+  /// K0 of one-dimensional compression: elastic, or as much as slow flow leaves, q = sqrt(3) mu_s
+  /// p with q over p = 3 (1 - K0)/(1 + 2 K0).
+  static double rest_ratio(const Input& in) {
+    const double slope = std::sqrt(3.0) * in.mu_s;
+    return std::max(in.poissons_ratio / (1 - in.poissons_ratio), (3 - slope) / (3 + 2 * slope));
+  }
+  static std::optional<Finding> density_fault(const Input& in, double density);
 
   template <class T>
   struct Params {
@@ -159,11 +170,22 @@ struct MuI : HenckySolid {
   }
 };
 
+/// Grains that touch leave pores.
+inline std::optional<Finding> MuI::density_fault(const Input& in, double density) {
+  if (density < in.grain_density) return std::nullopt;
+  return Finding{"density", "leaves no pores between the grains",
+                 "below grain_density, " + write_number(in.grain_density) + " kg/m^3",
+                 "give the density of the bulk, some 0.6 of that of the grains"};
+}
+
 inline Schema<MuI::Input> MuI::schema() {
   Schema<Input> s(name, "Dense granular flow: mu(I) rheology with elastic grains.");
   elastic_keys(s);
   s.number("mu_s", &Input::mu_s).typical(0.38).above(0).doc("Friction coefficient of slow flow.");
-  s.number("mu_2", &Input::mu_2).typical(0.64).above(0).doc("Friction coefficient of fast flow.");
+  s.number("mu_2", &Input::mu_2)
+      .typical(0.64)
+      .above(0)
+      .doc("Friction coefficient of fast flow, at least mu_s.");
   s.number("i0", &Input::i0)
       .typical(0.279)
       .above(0)
@@ -175,7 +197,9 @@ inline Schema<MuI::Input> MuI::schema() {
   s.number("grain_density", &Input::grain_density, Unit::density)
       .typical(2500)
       .above(0)
-      .doc("Density rho_s of the grains; density over grain_density is the solid fraction.");
+      .doc(
+          "Density rho_s of the grains, above density; density over grain_density is the solid "
+          "fraction.");
   s.check({"mu_s", "mu_2"}, [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
     if (in.mu_2 >= in.mu_s) return std::nullopt;
     return Finding{"mu_2", "friction that falls with the shear rate has no steady flow",

@@ -2,6 +2,7 @@
 #include "materials/registry.hpp"
 
 #include <cmath>
+#include <cstring>
 
 #include "generated/materials.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 /// K0 where nothing else is known: the law's own `rest_ratio`, or Jaky's 1 - sin phi for friction
 /// (Jaky, The coefficient of earth pressure at rest, J. Soc. Hung. Eng. Arch. 78, 1944), where a
-/// critical state slope M means sin phi = 3 M/(6 + M) of triaxial compression, or the ratio of
+/// slope M of q over p means sin phi = 3 M/(6 + M) of triaxial compression, or the ratio of
 /// confined elasticity, or that of a fluid.
 template <Material M>
 double rest_ratio(const typename M::Input& in) {
@@ -33,6 +34,35 @@ double rest_ratio(const typename M::Input& in) {
 }
 
 template <Material M>
+std::optional<std::vector<double>> state_under(const std::any& input,
+                                               const std::array<double, 3>& stress) {
+  const auto state = M::state_under(std::any_cast<const typename M::Input&>(input), stress);
+  if (!state) return std::nullopt;
+  std::vector<double> entries(sizeof *state / sizeof(double));
+  std::memcpy(entries.data(), &*state, sizeof *state);
+  return entries;
+}
+
+/// The functions that only some laws have.
+template <Material M>
+void add_optional(MaterialEntry& entry) {
+  using Input = typename M::Input;
+  if constexpr (requires { M::effective_stress; }) entry.effective_stress = M::effective_stress;
+  if constexpr (requires { M::inadmissible; }) entry.inadmissible = M::inadmissible;
+  if constexpr (requires(const Input& in) { M::stress_repair(in); }) {
+    entry.state_under = state_under<M>;
+    entry.stress_repair = [](const std::any& input) {
+      return M::stress_repair(std::any_cast<const Input&>(input));
+    };
+  }
+  if constexpr (requires(const Input& in) { M::density_fault(in, 1.0); }) {
+    entry.density_fault = [](const std::any& input, double density) {
+      return M::density_fault(std::any_cast<const Input&>(input), density);
+    };
+  }
+}
+
+template <Material M>
 MaterialEntry make_entry() {
   static const auto schema = M::schema();
   MaterialEntry entry;
@@ -46,7 +76,7 @@ MaterialEntry make_entry() {
   entry.rest_ratio = [](const std::any& input) {
     return rest_ratio<M>(std::any_cast<const typename M::Input&>(input));
   };
-  if constexpr (requires { M::effective_stress; }) entry.effective_stress = M::effective_stress;
+  add_optional<M>(entry);
   return entry;
 }
 

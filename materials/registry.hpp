@@ -5,6 +5,8 @@
 #pragma once
 
 #include <any>
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,6 +25,16 @@ struct MaterialEntry {
   void* (*input_pointer)(std::any&) = nullptr;  ///< the Input inside such an any, for the schema
   /// Horizontal over vertical stress at rest, K0, of soil in its natural state with this Input.
   double (*rest_ratio)(const std::any&) = nullptr;
+  /// The state in which a body begins under these normal stresses xx, yy, zz [Pa, tension
+  /// positive], as the entries of fields; nothing where there is none. Null for laws that leave it
+  /// to the elastic stretch of initial_state().
+  std::optional<std::vector<double>> (*state_under)(const std::any&,
+                                                    const std::array<double, 3>&) = nullptr;
+  /// What helps where state_under has no state.
+  std::string (*stress_repair)(const std::any&) = nullptr;
+  /// What is wrong with this density of the body [kg/m^3]; the key is "density". May be null.
+  std::optional<Finding> (*density_fault)(const std::any&, double) = nullptr;
+  std::optional<InadmissibleText> inadmissible;  ///< in place of the general sentence
 };
 
 /// All laws of this build, in the order of materials/list.def.

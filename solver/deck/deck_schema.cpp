@@ -66,20 +66,31 @@ Value part_of(const Value& table, const SchemaBase& schema, bool only) {
   return part;
 }
 
+void check_density(const MaterialSpec& spec, const MaterialEntry& model, const Value& table,
+                   const std::string& path, SchemaReader& reader) {
+  if (!model.density_fault) return;
+  const auto fault = model.density_fault(spec.input, spec.density);
+  const Value* density = table.find("density");
+  if (!fault || !density) return;
+  reader.report(*density, path + "." + fault->key, fault->message, fault->allowed, fault->repair);
+}
+
 void read_material(MaterialSpec& spec, const Value& value, const std::string& path,
                    SchemaReader& reader) {
   if (!value.is(Value::Kind::table)) {
     reader.read(material_schema(), &spec, value, path);
     return;
   }
-  reader.read(material_schema(), &spec, part_of(value, material_schema(), true), path);
+  const bool common_right =
+      reader.read(material_schema(), &spec, part_of(value, material_schema(), true), path);
   const MaterialEntry* model = find_material_model(spec.model);
   if (model == nullptr) return;
   spec.input = model->make_input();
   std::vector<std::string> common = material_schema().keys();
   if (!model->effective_stress) std::erase(common, "undrained_bulk_modulus");
-  reader.read(*model->schema, model->input_pointer(spec.input),
-              part_of(value, material_schema(), false), path, common);
+  const bool own_right = reader.read(*model->schema, model->input_pointer(spec.input),
+                                     part_of(value, material_schema(), false), path, common);
+  if (common_right && own_right) check_density(spec, *model, value, path, reader);
 }
 
 /// The schema of a deck's top level, with the one entry that no field function makes: materials,

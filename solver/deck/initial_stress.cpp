@@ -36,11 +36,17 @@ class Law {
       : deck_(deck), material_(material), entry_(*find_material_model(material.model)) {}
 
   std::optional<std::vector<double>> state(const Stress& stress) const {
+    if (entry_.state_under) return entry_.state_under(material_.input, stress);
     const auto point = make_material_point(material_.model, material_.input, material_.density,
                                            deck_.domain.dimension);
     return initial_state(*point, entry_.fields, stress);
   }
   bool carries(const Stress& stress) const { return state(stress).has_value(); }
+  /// What helps where no k0 does.
+  std::string repair() const {
+    return entry_.stress_repair ? entry_.stress_repair(material_.input)
+                                : "change the strength of the material";
+  }
 
  private:
   const Deck& deck_;
@@ -90,12 +96,12 @@ Finding not_carried(const Law& law, const InitialStress& field, const MaterialSp
                         vector_text(stress.data(), 3) + " Pa";
   if (!field.geostatic()) {
     return {"value", message, "stresses inside the yield surface, of a kind that the law carries",
-            "change the stress or the strength of the material"};
+            "change the stress, or " + law.repair()};
   }
   message += " at " + vector_text(x, dimension) + " m";
   const std::string possible = possible_k0(law, field, x);
   return {"", message + ", k0 = " + short_number(field.k0()), possible,
-          possible.empty() ? "change the material" : "set k0, or change the strength"};
+          (possible.empty() ? "" : "set k0, or ") + law.repair()};
 }
 
 /// Index of the particles that are tried: highest, lowest, some between.

@@ -20,8 +20,8 @@ Schema<InitialStressSpec> make_initial_stress_schema() {
       .at_least(0)
       .when("type", {"geostatic"})
       .fallback_text(
-          "the model's: 1 - sin(friction_angle), with m instead 1 - 3 m/(6 + m), else "
-          "poissons_ratio/(1 - poissons_ratio), 1 in fluids")
+          "the model's (user guide, section 9): 1 - sin(friction_angle), the ratio of "
+          "one-dimensional compression, poissons_ratio/(1 - poissons_ratio) or, in fluids, 1")
       .doc("Horizontal over vertical stress.");
   s.vector("value", &InitialStressSpec::value, Unit::pressure)
       .length(3)

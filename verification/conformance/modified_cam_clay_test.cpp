@@ -16,8 +16,12 @@ using State = Law::State<double>;
 constexpr double kM = 1.2, kLambda = 0.2, kKappa = 0.05, kPoisson = 0.3, kN = 3.0;
 constexpr double kShare = (kLambda - kKappa) / kLambda;  // Lambda of the closed forms
 
+Law::Input keys(double pressure, double ocr) {
+  return {kM, kLambda, kKappa, kPoisson, kN - 1, pressure, {}, ocr};
+}
+
 Params clay(double pressure, double ocr) {
-  return Law::params<double>({kM, kLambda, kKappa, kPoisson, kN - 1, pressure, {}, ocr}, 1800, 3);
+  return Law::params<double>(keys(pressure, ocr), 1800, 3);
 }
 
 struct Stress {
@@ -188,6 +192,7 @@ TEST(CamClayTest, EarthPressureAtRest) {
     (left > 1 ? high : low) = eta;
   }
   EXPECT_NEAR(low, 0.471887, 1e-6);
+  EXPECT_NEAR(Law::rest_ratio(keys(2e4, 1)), (3 - low) / (3 + 2 * low), 1e-12);
   const auto error = [&](double step) {
     const Params p = clay(2e4, 1);
     State s = Law::initial<double>(p);
@@ -197,6 +202,61 @@ TEST(CamClayTest, EarthPressureAtRest) {
   };
   EXPECT_NEAR(error(1e-4), 0, 1e-3);
   EXPECT_NEAR(error(4e-4) / error(2e-4), 2, 0.1) << "of first order in the step";
+}
+
+// A state under given stresses: on the swelling line of pc = ocr (p + q^2/(M^2 p)), whatever the
+// pressure of the keys.
+TEST(CamClayTest, GroundHasItsOcrAtEveryDepth) {
+  for (const double ocr : {1.0, 1.5, 8.0}) {
+    for (const double depth : {0.1, 5.0, 80.0}) {
+      const double axial = 9e3 * depth, radial = 0.7 * axial;
+      const double p = (axial + 2 * radial) / 3, q = axial - radial;
+      const double pc = ocr * (p + q * q / (kM * kM * p));
+      const double v = kN - kLambda * std::log(pc / 1e3) + kKappa * std::log(pc / p);
+      for (const double keyed : {1e3, 2e5}) {
+        const Params params = clay(keyed, ocr);
+        const auto s = Law::state_under(keys(keyed, ocr), {-axial, -radial, -radial});
+        ASSERT_TRUE(s.has_value());
+        const Stress stress = now(params, *s);
+        EXPECT_NEAR(stress.axial / axial, 1, 1e-12);
+        EXPECT_NEAR(stress.radial / radial, 1, 1e-12);
+        EXPECT_NEAR(volume(params, *s), v, 1e-13);
+        EXPECT_NEAR(params.preconsolidation * std::exp(s->log_preconsolidation) / pc, 1, 1e-13);
+        EXPECT_EQ(Law::volume_ratio(params, *s), 1) << "volume counts from there";
+        // f/(M pc)^2 = (p/pc)^2 (1 - ocr) (1 + q^2/(M p)^2)
+        const double inside = (1 - ocr) * (p / pc) * (p / pc) * (1 + q * q / (kM * kM * p * p));
+        EXPECT_NEAR(Law::yield_value(params, *s), inside, 1e-12);
+      }
+    }
+  }
+}
+
+// Normally consolidated ground of one depth is that of another, compressed: the same K0 and void
+// ratio. The steps' error is that of EarthPressureAtRest.
+TEST(CamClayTest, GroundBuriedDeeperIsGroundOfThatDepth) {
+  const Law::Input in = keys(1e5, 1);
+  const Params p = clay(1e5, 1);
+  const double k0 = Law::rest_ratio(in);
+  State s = *Law::state_under(in, {-1e4, -k0 * 1e4, -k0 * 1e4});
+  Stress stress = now(p, s);
+  while (stress.axial < 2e5) stress = squeeze(p, s, 1e-4, 0);
+  EXPECT_NEAR(stress.radial / stress.axial, k0, 1e-3);
+  const auto deep = Law::state_under(in, {-stress.axial, -stress.radial, -stress.radial});
+  EXPECT_NEAR(volume(p, s), volume(p, *deep), 1e-10) << "both are on the yield surface";
+}
+
+TEST(CamClayTest, GroundThatCannotBe) {
+  Law::Input in = keys(1e5, 2);
+  EXPECT_FALSE(Law::state_under(in, {0, 0, 0})) << "no pressure";
+  EXPECT_FALSE(Law::state_under(in, {1e4, 1e4, 1e4})) << "tension";
+  // N = 3 at 1 kPa: no voids at v = 3 - lambda ln pc + kappa ln 2 = 1, pc in kPa.
+  const double pressure = 1e3 * std::exp((2 + kKappa * std::log(2)) / kLambda) / 2;
+  EXPECT_TRUE(Law::state_under(in, {-0.99 * pressure, -0.99 * pressure, -0.99 * pressure}));
+  EXPECT_FALSE(Law::state_under(in, {-1.01 * pressure, -1.01 * pressure, -1.01 * pressure}));
+  in.ocr.reset();
+  in.preconsolidation_pressure = 2e5;  // fixed: the surface stays where it is
+  EXPECT_TRUE(Law::state_under(in, {-1.999e5, -1.999e5, -1.999e5}));
+  EXPECT_FALSE(Law::state_under(in, {-2.001e5, -2.001e5, -2.001e5}));
 }
 
 // Implicit and associated: at the end of a plastic step the increments obey deps_v/deps_q = (M^2 -

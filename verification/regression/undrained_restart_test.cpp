@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bodies that start with stress and carry pore water: a run continued from a checkpoint equals the
-// uninterrupted one bit for bit; split and fused steps agree; a body without water beside one with.
+// Bodies that start with stress and carry pore water, and ground of clay: a run continued from a
+// checkpoint equals the uninterrupted one bit for bit. Split and fused steps agree; a body without
+// water beside one with.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "materials/initial_state.hpp"
+#include "materials/modified_cam_clay.hpp"
 #include "materials/registry.hpp"
 #include "solver/io/memory_archive.hpp"
 #include "verification/support/scene.hpp"
@@ -45,6 +47,27 @@ SimulationSetup scene(int dimension, const Method& method) {
   return setup;
 }
 
+/// Normally consolidated clay, each particle under its weight, that is cut free on its sides.
+SimulationSetup clay_scene() {
+  const double dx = 0.1, spacing = dx / 3, density = 1800;
+  SimulationSetup setup = make_setup(2, {}, dx, {14, 10, 6});
+  setup.gravity = [](double) { return std::array<double, 3>{0, -9.81, 0}; };
+  setup.faces[1][0] = FaceType::sticky;
+  BodySetup& clay = add_jelly(setup, lattice(Vector(0.2, 0, 0), Vector(0.8, 0.5, 0), spacing, 2),
+                              spacing, {1, 0, density}, "clay");
+  clay.model = "modified_cam_clay";
+  clay.input = ModifiedCamClay::Input{1, 0.2, 0.04, 0.3, 2, 1e5, {}, 1.0};
+  const MaterialEntry& law = *find_material_model(clay.model);
+  const double k0 = law.rest_ratio(clay.input);
+  for (std::size_t p = 1; p < clay.position.size(); p += 3) {
+    const double vertical = -density * 9.81 * (0.5 - clay.position[p]);
+    clay.state_of.push_back(std::int32_t(clay.states.size()));
+    clay.states.push_back(*law.state_under(clay.input, {k0 * vertical, vertical, k0 * vertical}));
+  }
+  setup.schedule = Schedule(0.05, 5e-3, 0, 0);
+  return setup;
+}
+
 class UndrainedRestart : public ::testing::TestWithParam<Method> {};
 
 TEST_P(UndrainedRestart, continues_bit_for_bit) {
@@ -75,6 +98,23 @@ INSTANTIATE_TEST_SUITE_P(
         Method{KernelType::compact, TransferType::mls, PathType::split, Precision::single_},
         Method{KernelType::quadratic, TransferType::apic, PathType::split, Precision::double_}),
     [](const auto& info) { return to_string(info.param); });
+
+TEST(GroundRestart, clay_with_a_state_of_its_own_in_every_particle) {
+  const SimulationSetup setup = clay_scene();
+  const auto whole = Simulation::create(setup);
+  for (int n = 0; n < 7; ++n) whole->step();
+  MemoryArchive middle;
+  whole->save(middle);
+  const auto resumed = Simulation::create(setup);
+  resumed->load(middle);
+  run(*whole, setup.schedule);
+  run(*resumed, setup.schedule);
+  MemoryArchive end, resumed_end;
+  whole->save(end);
+  resumed->save(resumed_end);
+  EXPECT_TRUE(end == resumed_end);
+  EXPECT_FALSE(end == middle);
+}
 
 struct Fields {
   std::vector<double> pressure, stress, effective;

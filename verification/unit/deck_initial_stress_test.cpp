@@ -70,13 +70,77 @@ TEST(DeckInitialStress, OutsideTheYieldSurfaceNamesWhatIsInside) {
             "");
 }
 
+/// The good deck of clay that is `depth` deep; the line after the pressure says what pc is.
+std::string clay_deck(const std::string& consolidation) {
+  std::string deck = stressed(at_rest);
+  const std::string sand =
+      "model = \"drucker_prager\"\ndensity = 1600\nyoungs_modulus = \"2 MPa\"\n"
+      "poissons_ratio = 0.3\nfriction_angle = \"31 deg\"\n";
+  const std::string clay =
+      "model = \"modified_cam_clay\"\ndensity = 1600\nm = 1\nlambda = 0.1\nkappa = 0.02\n"
+      "poissons_ratio = 0.3\nreference_void_ratio = 1.5\ninitial_pressure = 500\n" +
+      consolidation + "\n";
+  return deck.replace(deck.find(sand), sand.size(), clay);
+}
+
+/// pc follows the weight, so the same keys serve all depths; a given pc does not.
+TEST(DeckInitialStress, NormallyConsolidatedClayOfAnyDepth) {
+  for (const char* gravity : {"-9.81", "-9810"}) {
+    const std::vector<std::string> set{"method.gravity=[0, " + std::string(gravity) + "]"};
+    EXPECT_EQ(problems_of(clay_deck("ocr = 1"), set), "");
+  }
+  EXPECT_EQ(problems_of(clay_deck("preconsolidation_pressure = 4e3")), "");
+  const std::string report = problems_of(clay_deck("preconsolidation_pressure = 600"));
+  EXPECT_NE(report.find("; raise preconsolidation_pressure, or give ocr, which holds at every "
+                        "depth\n"),
+            std::string::npos)
+      << report;
+}
+
+TEST(DeckInitialStress, ClayWithoutVoidsIsToldWhatHelps) {
+  const std::string report =
+      problems_of(clay_deck("ocr = 1"), {"material.sand.reference_void_ratio=0.1"});
+  EXPECT_NE(report.find("; raise reference_void_ratio, for no voids would be left\n"),
+            std::string::npos)
+      << report;
+}
+
+TEST(DeckInitialStress, RunsOfClayGetTheirOcrAtEveryParticle) {
+  Problems problems;
+  const Deck deck = read_deck_text(clay_deck("ocr = 1.5"), "deck.toml", {}, problems);
+  ASSERT_TRUE(problems.empty()) << problems.text();
+  const auto simulation = Simulation::create(build_setup(deck));
+  const auto snapshot = simulation->particles({"stress", "log_preconsolidation"});
+  // eta (1 + nu)(1 - L)/(3 (1 - 2 nu)) + 3 eta L/(M^2 - eta^2) = 1 with L = 0.8, M = 1, nu = 0.3
+  const double eta = [] {
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double x = 0.5 * (low + high);
+      (x * 0.26 / 1.2 + 2.4 * x / (1 - x * x) < 1 ? low : high) = x;
+    }
+    return low;
+  }();
+  const double rest = (3 - eta) / (3 + 2 * eta);
+  for (std::size_t p = 0; p < snapshot.id.size(); ++p) {
+    const double vertical = 1600 * 9.81 * (0.2 - snapshot.position[3 * p + 1]);
+    const double mean = vertical * (1 + 2 * rest) / 3;
+    const double* stress = &snapshot.fields[0].values[9 * p];
+    EXPECT_NEAR(stress[4], -vertical, 1e-11 * vertical);  // logarithms of 1e-16 over kappa
+    EXPECT_NEAR(stress[0], -rest * vertical, 1e-11 * vertical);
+    EXPECT_NEAR(stress[8], -rest * vertical, 1e-11 * vertical);
+    const double pc = 1.5 * mean * (1 + eta * eta);  // the keys': 1.5 * 500
+    EXPECT_NEAR(snapshot.fields[1].values[p], std::log(pc / 750), 1e-12);
+  }
+}
+
 TEST(DeckInitialStress, SandCarriesNoTension) {
   const std::string report = report_of(R"~({ type = "uniform", value = [100, 100, 100] })~");
-  EXPECT_EQ(report,
-            "deck.toml:23:46: body.column.initial_stress.value = [100, 100, 100]: model "
-            "drucker_prager has no elastic state with the stress [100, 100, 100] Pa; allowed: "
-            "stresses inside the yield surface, of a kind that the law carries; change the stress "
-            "or the strength of the material\n");
+  EXPECT_EQ(
+      report,
+      "deck.toml:23:46: body.column.initial_stress.value = [100, 100, 100]: model "
+      "drucker_prager has no elastic state with the stress [100, 100, 100] Pa; allowed: "
+      "stresses inside the yield surface, of a kind that the law carries; change the stress, or "
+      "change the strength of the material\n");
   EXPECT_EQ(report_of(R"~({ type = "uniform", value = [100, 100, 100] })~",
                       {"material.sand.cohesion=\"1 kPa\""}),
             "");

@@ -11,7 +11,9 @@
 #include "materials/drucker_prager.hpp"
 #include "materials/fixed_corotated.hpp"
 #include "materials/j_fluid.hpp"
+#include "materials/mu_i.hpp"
 #include "materials/registry.hpp"
+#include "materials/typical_input.hpp"
 
 namespace scree {
 namespace {
@@ -110,6 +112,37 @@ TEST(InitialState, RatioAtRestComesFromTheModel) {
   EXPECT_NEAR(ratio(jelly), poisson / (1 - poisson), 1e-15);
   EXPECT_NEAR(ratio(sand_case()), 1 - 0.5, 1e-15);
   EXPECT_EQ(ratio(fluid), 1);
+}
+
+/// Grains yield in one-dimensional compression unless nu is large: 3 (1 - K0)/(1 + 2 K0) = q/p =
+/// sqrt(3) mu_s.
+TEST(InitialState, RatioAtRestOfGrainsIsWithinTheirFriction) {
+  MuI::Input in{1e7, 0.3, 0.38, 0.64, 0.279, 1e-3, 2500};
+  const auto ratio = [&] { return find_material_model("mu_i")->rest_ratio(in); };
+  EXPECT_NEAR(3 * (1 - ratio()) / (1 + 2 * ratio()), std::sqrt(3) * 0.38, 1e-14);
+  in.poissons_ratio = 0.45;
+  EXPECT_NEAR(ratio(), 0.45 / 0.55, 1e-15);
+}
+
+/// The ground that a deck gets without k0.
+TEST(InitialState, EveryLawCarriesItsOwnRatioAtRest) {
+  for (const MaterialEntry& entry : material_registry()) {
+    for (const int dimension : {2, 3}) {
+      const std::any input = typical_input(entry, dimension);
+      const double k0 = entry.rest_ratio(input);
+      for (const double vertical : {-100.0, -1e3, -2e4}) {
+        const Stress stress{k0 * vertical, vertical, k0 * vertical};
+        const auto point = make_material_point(entry.name, input, 1800, dimension);
+        const auto state = entry.state_under ? entry.state_under(input, stress)
+                                             : initial_state(*point, entry.fields, stress);
+        ASSERT_TRUE(state.has_value()) << entry.name << " " << dimension << "D " << vertical;
+        point->set_entries(*state);
+        // As expect_carries; the stiffest of the typical inputs has 2e7 Pa.
+        EXPECT_NEAR(point->stress().xx, stress[0], std::max(-1e-12 * vertical, 1e-15 * 4e7));
+        EXPECT_NEAR(point->stress().yy, stress[1], std::max(-1e-12 * vertical, 1e-15 * 4e7));
+      }
+    }
+  }
 }
 
 }  // namespace
