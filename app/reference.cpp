@@ -11,6 +11,7 @@ namespace scree {
 namespace {
 
 std::string with_unit(const std::string& text, Unit unit) {
+  if (unit == Unit::angle) return text + " [rad, or \"... deg\"]";  // ranges are in degrees
   const std::string symbol = unit_symbol(unit);
   return symbol.empty() ? text : text + " [" + symbol + "]";
 }
@@ -82,6 +83,20 @@ std::vector<std::string> Reference::names() const {
     }
   }
   return result;
+}
+
+std::vector<Entry> shared_entries(const ReferenceSection& section) {
+  std::vector<Entry> entries;
+  if (!section.model) return entries;
+  for (const auto& entry : material_schema().entries()) {
+    const std::vector<std::string>& models = entry->tag_values;
+    const bool here =
+        std::find(models.begin(), models.end(), section.schema->name()) != models.end();
+    if (entry->key == "model" || !(models.empty() || here)) continue;
+    entries.push_back(*entry);
+    entries.back().tag.clear();  // the section says which model it is
+  }
+  return entries;
 }
 
 std::vector<StateField> output_fields(const ReferenceSection& section) {

@@ -38,6 +38,10 @@ class Reference {
   std::vector<ReferenceSection> sections_;
 };
 
+/// The keys of [material.NAME] that a model has besides its own, "model" apart; none for other
+/// schemas.
+std::vector<Entry> shared_entries(const ReferenceSection& section);
+
 /// The output fields that a model adds; none for other schemas.
 std::vector<StateField> output_fields(const ReferenceSection& section);
 

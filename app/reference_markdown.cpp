@@ -60,6 +60,11 @@ std::string value_cell(const Entry& entry) {
   return condition.empty() ? text : text + " *(" + condition + ")*";
 }
 
+std::string row(const Entry& entry) {
+  return "| `" + entry.key + "` | " + value_cell(entry) + " | " + cell(default_cell(entry)) +
+         " | " + cell(entry.doc) + " |\n";
+}
+
 std::string section_markdown(const ReferenceSection& section) {
   const SchemaBase& schema = *section.schema;
   std::string text =
@@ -76,10 +81,8 @@ std::string section_markdown(const ReferenceSection& section) {
     text += "A bare number means `" + schema.number_shorthand() + "` alone.\n\n";
   }
   text += "| key | value | default | meaning |\n|---|---|---|---|\n";
-  for (const auto& entry : schema.entries()) {
-    text += "| `" + entry->key + "` | " + value_cell(*entry) + " | " + cell(default_cell(*entry)) +
-            " | " + cell(entry->doc) + " |\n";
-  }
+  for (const auto& entry : schema.entries()) text += row(*entry);
+  for (const Entry& entry : shared_entries(section)) text += row(entry);
   text += "\n";
   const auto fields = output_fields(section);
   if (!fields.empty()) text += "Output fields:\n\n";

@@ -47,6 +47,7 @@ std::string section_text(const ReferenceSection& section) {
   }
   text += "\n";
   for (const auto& entry : schema.entries()) text += entry_text(*entry);
+  for (const Entry& entry : shared_entries(section)) text += entry_text(entry);
   for (const StateField& field : output_fields(section)) {
     text += wrapped("Output field " + field.name + " [" + field.unit + "]: " + field.doc, 2);
   }

@@ -88,7 +88,7 @@ inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
       .at_least(0)
       .below(right_angle)
       .fallback(0.0)
-      .doc("Dilation angle; 0: plastic shear at constant volume.");
+      .doc("Dilation angle, at most friction_angle; 0: plastic shear at constant volume.");
   s.choice("match", &Input::match,
            {{"compression", Match::compression},
             {"extension", Match::extension},

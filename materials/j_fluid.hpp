@@ -49,6 +49,7 @@ struct JFluid : CompressibleFluid {
                              "above " + std::to_string(lowest_volume_ratio(in.gamma)),
                              "raise initial_j"};
             });
+    s.cite("Cole, Underwater Explosions, Princeton University Press 1948");
     return s;
   }
 

@@ -28,7 +28,7 @@ inline void mohr_coulomb_peak_keys(Schema<MohrCoulomb::Input>& s) {
       .at_least(0)
       .below(right_angle)
       .fallback(0.0)
-      .doc("Dilation angle; 0: plastic shear at constant volume.");
+      .doc("Dilation angle, at most friction_angle; 0: plastic shear at constant volume.");
   s.number("tension_cutoff", &Input::tension_cutoff, Unit::pressure)
       .at_least(0)
       .fallback_text("none: the apex of the pyramid, cohesion cot(friction_angle)")

@@ -76,6 +76,25 @@ TEST(Reference, TopicPrintsOnlyItself) {
   EXPECT_EQ(text.find("gravity"), std::string::npos) << text;
 }
 
+/// All that may stand in a material's table, with the limits that other keys set.
+TEST(Reference, ModelsHaveTheKeysOfEveryMaterial) {
+  const Reference reference;
+  const std::string sand = reference_text(reference, "drucker_prager");
+  EXPECT_NE(sand.find("\n  undrained_bulk_modulus\n      number [Pa], above 0 Pa; default: no pore "
+                      "water\n"),
+            std::string::npos)
+      << sand;
+  EXPECT_NE(sand.find("\n  density\n"), std::string::npos) << sand;
+  EXPECT_NE(sand.find("number [rad, or \"... deg\"], at least 0 deg and below 90 deg"),
+            std::string::npos)
+      << sand;
+  EXPECT_NE(sand.find("at most friction_angle"), std::string::npos) << sand;
+  const std::string fluid = reference_text(reference, "j_fluid");
+  EXPECT_EQ(fluid.find("undrained_bulk_modulus"), std::string::npos) << fluid;
+  EXPECT_NE(reference_markdown(reference, "hencky").find("| `undrained_bulk_modulus` | "),
+            std::string::npos);
+}
+
 TEST(Reference, MarkdownTablesAreWhole) {
   const Reference reference;
   std::istringstream lines(reference_markdown(reference, ""));
