@@ -12,6 +12,17 @@ std::string place(const ParticleFault& fault) {
                               : fmt::format("({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[2]);
 }
 
+std::string inadmissible(const ParticleFault& fault) {
+  if (fault.inadmissible) {
+    return fmt::format("{} (volume ratio J = {:.3g}); {}", fault.inadmissible->what, fault.value,
+                       fault.inadmissible->repair);
+  }
+  return fmt::format(
+      "was deformed beyond what its material can represent (volume ratio J = {:.3g});"
+      " lower time.cfl, use more particles per direction or a stiffer material",
+      fault.value);
+}
+
 std::string what(const ParticleFault& fault) {
   switch (fault.code) {
     case FaultCode::moved_too_far:
@@ -19,10 +30,7 @@ std::string what(const ParticleFault& fault) {
           "moved {:.2g} dx in one step, more than the bound of 0.25 dx; lower time.cfl",
           fault.value);
     case FaultCode::inadmissible_state:
-      return fmt::format(
-          "was deformed beyond what its material can represent (volume ratio J = {:.3g});"
-          " lower time.cfl, use more particles per direction or a stiffer material",
-          fault.value);
+      return inadmissible(fault);
     case FaultCode::not_finite:
       return "has a velocity that is not a finite number; lower time.cfl and check the material's "
              "parameters";

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
+#include "materials/material.hpp"
 #include "solver/step/pass_data.hpp"
 
 namespace scree {
@@ -16,6 +18,7 @@ struct ParticleFault {
   std::int64_t id = 0;
   std::string material;
   double value = 0;
+  std::optional<InadmissibleText> inadmissible;  ///< the law's own words for such a state
   int dimension = 3;
   std::array<double, 3> position{};  ///< [m]
 };

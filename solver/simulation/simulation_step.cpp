@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/registry.hpp"
 #include "solver/base/error.hpp"
 #include "solver/simulation/fault_text.hpp"
 #include "solver/simulation/simulation_impl.hpp"
@@ -306,6 +307,9 @@ void SimulationImpl<D, T>::fail(const State& state, std::size_t block) const {
   fault.id = result.fault_id;
   fault.material = state.body->info().material;
   fault.value = double(result.fault_value);
+  if (const MaterialEntry* law = find_material_model(state.body->info().model)) {
+    fault.inadmissible = law->inadmissible;
+  }
   fault.dimension = D;
   for (int a = 0; a < D; ++a) {
     const double cells = double(block_cells) * state.coords[block * D + std::size_t(a)] +

@@ -4,6 +4,7 @@
 // clamped or dropped.
 #include <gtest/gtest.h>
 
+#include "materials/modified_cam_clay.hpp"
 #include "solver/base/error.hpp"
 #include "verification/support/scene.hpp"
 
@@ -62,6 +63,25 @@ TEST_P(FaultsOfMethods, inverted_particle_is_reported) {
       EXPECT_NE(sentence.find("pudding"), std::string::npos) << sentence;
     }
   }
+}
+
+/// Clay whose voids close: J is harmless, and the sentence says what is missing.
+TEST(Fault, clay_without_voids_is_named) {
+  const double spacing = 0.1 / 3;
+  SimulationSetup setup = make_setup(2, {}, 0.1, {10, 10, 1});
+  const auto points = lattice(Vector(0.3, 0.3, 0), Vector(0.7, 0.7, 0), spacing, 2);
+  BodySetup& body = add_jelly(setup, points, spacing, {1, 0, 1800}, "clay");
+  body.model = "modified_cam_clay";
+  // v = 1.95 - 0.2 ln 100 = 1.029 at the start
+  body.input = ModifiedCamClay::Input{1, 0.2, 0.04, 0.3, 0.95, 1e5, {}, 1.0};
+  set_velocity(body, Vector::Zero(), -40 * Matrix::Identity(), Vector(0.5, 0.5, 0));
+  setup.schedule = Schedule(0.5, 0, 0, 0);
+  const std::string sentence = fault_of(std::move(setup));
+  EXPECT_NE(sentence.find(" m has no voids left (volume ratio J = 0.9"), std::string::npos)
+      << sentence;
+  EXPECT_NE(sentence.find("; lower the loads, raise reference_void_ratio, or lower time.cfl"),
+            std::string::npos)
+      << sentence;
 }
 
 TEST(Fault, a_closed_wall_lets_nothing_through) {
