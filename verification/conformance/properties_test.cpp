@@ -109,12 +109,15 @@ TEST_P(EveryLaw, ElasticStressIsTheDerivativeOfTheEnergy) {
 }
 
 // The second-order term of the laws is a small multiple of e^2 times the stiffness: Hencky against
-// linear strain gives about 4, a fluid (1 + gamma)/2, clay v/(2 kappa).
+// linear strain gives about 4, a fluid (1 + gamma)/2. Clay, which starts under stress, stiffens by
+// v/kappa of its volume strain, here 3 e: 9 v/kappa is 800. One per cent of a modulus is 3000.
 TEST_P(EveryLaw, SmallStrainIsLinearElasticity) {
   Worst all;
   for (const std::any& input : family().inputs) all.add(small_strain(family(), input, source, 50));
   if (all.samples == 0) GTEST_SKIP() << "no input with a linear limit";
-  EXPECT_LE(all.error, 100);
+  const std::vector<Law> laws = family().laws();
+  const bool stressed = norm(stress_at_rest(laws[0], laws[0].exact->initial())) > 0;
+  EXPECT_LE(all.error, stressed ? 1000 : 100);
 }
 
 // 1e5 returns a law, singular values from 0.3 to 3 from fresh and from yielded states.
