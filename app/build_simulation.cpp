@@ -47,7 +47,7 @@ class Field {
   throw UserError("body." + toml_key(spec.name) + ".velocity: \"" + spec.velocity[component].text +
                   "\" is not finite beside the particle at " +
                   point_text({x[0], x[1], x[2]}, dimension) +
-                  " m; the velocity gradient needs it within a thousandth of a cell");
+                  " m; the velocity gradient needs it within 0.002 cells");
 }
 
 /// Velocity and its gradient at every particle, the gradient by differences of fourth order.
@@ -74,9 +74,11 @@ void set_velocity(const BodySpec& spec, int dimension, double cell_size, BodySet
       const auto p2 = at(2 * h);
       for (int i = 0; i < dimension; ++i) {
         const std::size_t k = std::size_t(i);
-        const double slope = (m2[k] - p2[k] + 8 * (p1[k] - m1[k])) / (12 * h);
-        if (!std::isfinite(slope)) refuse_velocity(spec, k, x, dimension);
-        body.velocity_gradient[9 * p + 3 * k + std::size_t(j)] = slope;
+        for (const double value : {m2[k], m1[k], p1[k], p2[k]}) {
+          if (!std::isfinite(value)) refuse_velocity(spec, k, x, dimension);
+        }
+        body.velocity_gradient[9 * p + 3 * k + std::size_t(j)] =
+            (m2[k] - p2[k] + 8 * (p1[k] - m1[k])) / (12 * h);
       }
     }
   }
