@@ -17,7 +17,7 @@ Schema<OutputSpec> make_output_schema() {
   s.choice("precision", &OutputSpec::precision,
            {{"single", FramePrecision::single_}, {"double", FramePrecision::double_}})
       .fallback(FramePrecision::single_)
-      .doc("Floating-point type in the frames.");
+      .doc("Floating-point type of the fields in the frames; positions are always double.");
   s.texts("fields", &OutputSpec::fields)
       .fallback({"velocity", "stress"})
       .doc(

@@ -207,7 +207,8 @@ void write_particle_frame(const fs::path& path, const ParticleSnapshot& snapshot
   }
   vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkPoints> points;
-  points->SetData(floating_array(snapshot.position.data(), 3 * count, 3, precision));
+  // In single precision coordinates of a map, 4e6 m, would be rounded to half a metre.
+  points->SetData(floating_array(snapshot.position.data(), 3 * count, 3, FramePrecision::double_));
   grid->SetPoints(points);
   const auto cells = static_cast<vtkIdType>(count);
   grid->SetCells(VTK_VERTEX, cells < std::numeric_limits<std::int32_t>::max()

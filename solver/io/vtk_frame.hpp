@@ -10,8 +10,9 @@ namespace scree {
 
 /// Writes a VTK XML unstructured grid (.vtu): one vertex cell a particle, arrays in base64 in
 /// place, `TimeValue` [s] and `step` as field data, `id`, `material`, `body` and all fields as
-/// point data. Values too large for single precision become infinite. The file is written aside and
-/// renamed. Throws RunFault (disk full); nothing is left behind then.
+/// point data. Points are double in either precision. Values too large for single precision become
+/// infinite. The file is written aside and renamed. Throws RunFault (disk full); nothing is left
+/// behind then.
 void write_particle_frame(const std::filesystem::path& path, const ParticleSnapshot& snapshot,
                           FramePrecision precision);
 

@@ -85,6 +85,22 @@ TEST(VtkParticles, SingleFrameRoundsToNearest) {
   expect_fields(*grid->GetPointData(), snapshot.fields, true);
 }
 
+/// A metric map projection has northings of millions of metres; floats are half a metre apart
+/// there.
+TEST(VtkParticles, SingleFramesKeepTheDigitsOfPositions) {
+  const TemporaryFolder folder;
+  ParticleSnapshot snapshot = sample_particles(4, 0.0, 2);
+  for (double& x : snapshot.position) x = 4e6 + x / 3;
+  write_particle_frame(folder / "p.vtu", snapshot, FramePrecision::single_);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  vtkUnstructuredGrid* grid = read(*reader, folder / "p.vtu");
+  for (vtkIdType p = 0; p < 4; ++p) {
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_EQ(grid->GetPoint(p)[c], snapshot.position[3 * std::size_t(p) + std::size_t(c)]);
+    }
+  }
+}
+
 TEST(VtkParticles, NoParticlesAreAValidFrame) {
   const TemporaryFolder folder;
   write_particle_frame(folder / "p.vtu", sample_particles(0, 1.0), FramePrecision::single_);
@@ -96,9 +112,9 @@ TEST(VtkParticles, BytesAParticle) {
   const TemporaryFolder folder;
   const std::size_t count = 10000;
   write_particle_frame(folder / "p.vtu", sample_particles(count, 0), FramePrecision::single_);
-  // position 3, fields 13 floats; id 8, material 4, body 4; vertex cells: 2 indices of at most
-  // 8 bytes and 1 for the type
-  const double expected = 4.0 / 3.0 * (4.0 * (3 + 13) + 8 + 4 + 4 + 17);  // base64
+  // position 3 doubles, fields 13 floats; id 8, material 4, body 4; vertex cells: 2 indices of at
+  // most 8 bytes and 1 for the type
+  const double expected = 4.0 / 3.0 * (8.0 * 3 + 4.0 * 13 + 8 + 4 + 4 + 17);  // base64
   EXPECT_LE(double(std::filesystem::file_size(folder / "p.vtu")) / double(count), expected + 1.0);
 }
 
