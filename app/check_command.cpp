@@ -68,6 +68,7 @@ std::string count_text(double x) {
 
 /// To three digits.
 double rounded(double x) {
+  if (!std::isfinite(x)) return x;
   const double unit = std::pow(10.0, std::max(0.0, std::floor(std::log10(x)) - 2));
   return unit * std::round(x / unit);
 }

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -50,6 +51,16 @@ double parse_time(const std::string& option, const std::string& text) {
   return quantity->value;
 }
 
+/// What is wrong with the number of an option, or nothing: CLI11's words hold the range of the
+/// type.
+std::string count_fault(const std::string& text) {
+  std::int64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const bool good = error == std::errc() && stop == end && value >= 0;
+  return good ? "" : text + " is not a whole number of at least 0";
+}
+
 void add_overrides(CLI::App& command, std::vector<std::string>& overrides) {
   command.add_option("--set", overrides, "Put another value in place of the deck's (repeatable)")
       ->type_name("KEY=VALUE")
@@ -73,7 +84,7 @@ void add_run(CommandLine& line) {
   run.add_option("--until", line.until, "Stop after the first step at or past this time")
       ->type_name("T");
   run.add_option("--max-steps", options.max_steps, "Stop after this many steps")
-      ->check(CLI::NonNegativeNumber)
+      ->check(&count_fault)
       ->type_name("N");
   auto* resume = run.add_flag("--resume", options.resume, "Continue from the run's checkpoint");
   run.add_flag("--overwrite", options.overwrite, "Replace an existing run")->excludes(resume);

@@ -35,7 +35,7 @@ std::string to_json(const RunRecord& record) {
   json["wall_seconds"] = record.wall_seconds;
   json["particle_updates"] = record.particle_updates;
   json["particle_updates_per_second"] = record.particle_updates_per_second();
-  json["bytes_per_particle"] = record.bytes_per_particle;
+  if (record.particles > 0) json["bytes_per_particle"] = record.bytes_per_particle;
   json["phases"] = record.phases;
   json["faults"] = record.faults;
   json["cite"] = record.cite;

@@ -47,7 +47,9 @@ std::string run_summary(const RunRecord& record, const std::filesystem::path& fo
            fmt::format("{:.3g} a second, {} thread{}", record.particle_updates_per_second(),
                        record.threads, record.threads == 1 ? "" : "s"));
   if (!record.phases.empty()) add_line(text, "phases", phase_text(record));
-  add_line(text, "memory", fmt::format("{:.0f} bytes a particle", record.bytes_per_particle));
+  if (record.particles > 0) {
+    add_line(text, "memory", fmt::format("{:.0f} bytes a particle", record.bytes_per_particle));
+  }
   add_line(text, "files", fmt::format("{}: {}", folder.string(), files));
   if (!record.cite.empty()) text += "please cite\n";
   for (const std::string& paper : record.cite) text += "  " + paper + "\n";
