@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/build_simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -35,6 +37,14 @@ class Field {
     std::array<double, 3> value{};
     for (std::size_t a = 0; a < components_.size(); ++a) value[a] = components_[a](variables);
     return value;
+  }
+
+  /// The text of the first component that has no finite value, or nothing.
+  const std::string* undefined(const std::array<double, 3>& value) const {
+    for (std::size_t a = 0; a < components_.size(); ++a) {
+      if (!std::isfinite(value[a])) return &components_[a].text();
+    }
+    return nullptr;
   }
 
  private:
@@ -128,18 +138,36 @@ void add_body(const Deck& deck, std::int32_t index, SimulationSetup& setup) {
   setup.bodies.push_back(std::move(body));
 }
 
+std::string point_text(const double* x, int dimension) {
+  return dimension == 2 ? fmt::format("({:.4g}, {:.4g}) m", x[0], x[1])
+                        : fmt::format("({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[2]);
+}
+
 void set_loads(const Deck& deck, SimulationSetup& setup) {
   const int dimension = deck.domain.dimension;
   if (Field::given(deck.method.gravity)) {
     setup.gravity = [field = Field(deck.method.gravity, dimension, {"t"})](double t) {
-      return field(&t);
+      const auto value = field(&t);
+      if (const std::string* text = field.undefined(value)) {
+        throw RunFault(
+            fmt::format("method.gravity: \"{}\" is not finite at t = {:.6g} s", *text, t));
+      }
+      return value;
     };
   }
   if (Field::given(deck.method.body_force)) {
     const Field field(deck.method.body_force, dimension, {"X", "Y", "Z", "x", "y", "z", "t"});
-    setup.body_force = [field](const double* X, const double* x, double t) {
+    setup.body_force = [field, dimension](const double* X, const double* x, double t) {
       const double variables[7] = {X[0], X[1], X[2], x[0], x[1], x[2], t};
-      return field(variables);
+      const auto value = field(variables);
+      if (const std::string* text = field.undefined(value)) {
+        throw RunFault(
+            fmt::format("method.body_force: \"{}\" is not finite at t = {:.6g} s for the particle "
+                        "at {}, at the "
+                        "start at {}",
+                        *text, t, point_text(x, dimension), point_text(X, dimension)));
+      }
+      return value;
     };
   }
 }

@@ -6,7 +6,8 @@
 
 namespace scree {
 
-/// Turns a checked deck into what the solver runs: the only place that does. `threads` stays 1.
+/// Turns a checked deck into what the solver runs: the only place that does. `threads` stays 1. In
+/// the setup gravity and body force throw RunFault where their expressions have no finite value.
 SimulationSetup build_setup(const Deck& deck);
 
 /// History, frame and checkpoint times of a deck.

@@ -29,6 +29,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_;
 };
 
+/// True for the first time at which an event is due.
+bool is_new(std::optional<double>& last, bool due, double event) {
+  if (!due || last == event) return false;
+  last = event;
+  return true;
+}
+
 }  // namespace
 
 Recorder::Recorder(const RunFolder& folder, OutputSpec output, bool checkpoints, Schedule schedule,
@@ -50,20 +57,27 @@ void Recorder::start(const Simulation& simulation, const std::vector<std::string
 
 void Recorder::resume(const Simulation& simulation, const StateReader& checkpoint,
                       const std::vector<std::string>& collider_names) {
+  const double time = simulation.time();
   taken_step_ = simulation.step_count();
-  saved_time_ = simulation.time();
+  saved_time_ = time;
+  // What is due here was taken before the checkpoint.
+  is_new(row_event_, schedule_.history_due(time), schedule_.history_event(time));
+  is_new(frame_event_, schedule_.frame_due(time), schedule_.frame_event(time));
+  is_new(checkpoint_event_, schedule_.checkpoint_due(time), schedule_.checkpoint_event(time));
   particles_.resume(checkpoint.get<double>("run/particle_frame_times"));
   grid_.resume(checkpoint.get<double>("run/grid_frame_times"));
   history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count());
-  history_time_ = simulation.time();
+  history_time_ = time;
 }
 
 void Recorder::record(const Simulation& simulation) {
   queue_.check();
   const double time = simulation.time();
-  const bool row = schedule_.history_due(time);
-  const bool frame = schedule_.frame_due(time) && output_.format != FrameFormat::none;
-  const bool checkpoint = schedule_.checkpoint_due(time);
+  const bool row = is_new(row_event_, schedule_.history_due(time), schedule_.history_event(time));
+  const bool frames = schedule_.frame_due(time) && output_.format != FrameFormat::none;
+  const bool frame = is_new(frame_event_, frames, schedule_.frame_event(time));
+  const bool checkpoint =
+      is_new(checkpoint_event_, schedule_.checkpoint_due(time), schedule_.checkpoint_event(time));
   if (!row && !frame && !checkpoint) return;
   const Stopwatch watch(seconds_);
   if (row) take_row(simulation);

@@ -41,7 +41,8 @@ class Recorder {
   void resume(const Simulation& simulation, const StateReader& checkpoint,
               const std::vector<std::string>& collider_names);
 
-  /// Takes whatever is due at the simulation's time. Throws RunFault, also for an earlier write.
+  /// Takes whatever is due at the simulation's time and was not taken for the same event. Throws
+  /// RunFault, also for an earlier write.
   void record(const Simulation& simulation);
 
   /// Takes a checkpoint, unless the last one is of this very step. Throws as record().
@@ -70,6 +71,7 @@ class Recorder {
   Schedule schedule_;
   RunIdentity identity_;
   std::int64_t taken_step_ = -1;  ///< of the last checkpoint taken
+  std::optional<double> row_event_, frame_event_, checkpoint_event_;  ///< s, last ones taken
   double seconds_ = 0;
 
   // From start() or resume() on only jobs use these; others may after the queue was drained.

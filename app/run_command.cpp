@@ -88,7 +88,8 @@ class Run {
   void after_step();
   void update_record();
   int finish(RunEnd end);
-  int fail(const std::string& fault);
+  int fail(const std::string& fault, int status = 1);
+  void warn_of_short_steps();
   ProgressState progress_state() const;
   std::string files() const;
 
@@ -107,6 +108,7 @@ class Run {
   RunRecord record_;
   double started_ = 0, recorded_ = 0;  ///< s, wall clock
   double updates_ = 0;                 ///< particle updates of this call
+  bool warned_ = false;                ///< of short steps
 };
 
 Run::Run(const RunOptions& options, Deck deck)
@@ -170,11 +172,23 @@ RunEnd Run::advance() {
 void Run::after_step() {
   updates_ += static_cast<double>(simulation_->particle_count());
   progress_->update(progress_state());
+  warn_of_short_steps();
   const double now = wall_clock();
   if (now - recorded_ < record_interval) return;
   recorded_ = now;
   update_record();
   write_record(folder_->record(), record_);
+}
+
+/// Once, when the run has become a thousand times longer than it looked at the start.
+void Run::warn_of_short_steps() {
+  constexpr double share = 1e-3;
+  if (warned_ || options_.quiet) return;
+  const StepLimit limit = simulation_->step_limit();
+  if (!(limit.shrinkage() < share)) return;
+  warned_ = true;
+  progress_->finish(progress_state());
+  fmt::print(stderr, "scree: warning: {}\n", short_step_text(simulation_->time(), limit));
 }
 
 ProgressState Run::progress_state() const {
@@ -215,7 +229,7 @@ int Run::finish(RunEnd end) {
   return end == RunEnd::signal ? 128 + StopSignals::received() : 0;
 }
 
-int Run::fail(const std::string& fault) {
+int Run::fail(const std::string& fault, int status) {
   if (progress_) progress_->finish(progress_state());
   const std::string kept = recorder_ ? recorder_->kept() : "nothing";
   fmt::print(stderr, "scree: {}; kept in {}: {}\n", fault, path_.string(), kept);
@@ -225,7 +239,7 @@ int Run::fail(const std::string& fault) {
   if (!write_last_record(folder_->record(), record_)) {
     fmt::print(stderr, "scree: {} could not be brought up to date\n", folder_->record().string());
   }
-  return 1;
+  return status;
 }
 
 int Run::execute() {
@@ -243,12 +257,18 @@ int Run::execute() {
   } catch (const RunFault& fault) {
     if (!folder_) throw;  // nothing was written: the caller prints the sentence
     return fail(fault.what());
+  } catch (const UserError& error) {
+    if (!folder_) throw;
+    return fail(error.what(), 2);
   } catch (const fs::filesystem_error& error) {
     if (!folder_) throw;
     return fail(sentence(error));
   } catch (const std::bad_alloc&) {
     if (!folder_) throw;
     return fail(no_memory);
+  } catch (const std::exception& error) {
+    if (!folder_) throw;
+    return fail(std::string("internal error: ") + error.what());
   }
 }
 

@@ -45,11 +45,18 @@ std::string what(const ParticleFault& fault) {
   return "is at fault for an unknown reason";
 }
 
+/// The texts say time.cfl, a key that a deck with a fixed step may not have.
+std::string with_key_in_force(std::string text, bool fixed_step) {
+  const std::string key = "time.cfl";
+  const std::size_t at = fixed_step ? text.find(key) : std::string::npos;
+  return at == std::string::npos ? text : text.replace(at, key.size(), "time.step");
+}
+
 }  // namespace
 
 std::string fault_text(const ParticleFault& fault) {
   return fmt::format("step {}: particle {} ({}) at {} {}", fault.step, fault.id, fault.material,
-                     place(fault), what(fault));
+                     place(fault), with_key_in_force(what(fault), fault.fixed_step));
 }
 
 std::string mass_fault_text(std::int64_t step, double grid_mass, double particle_mass) {

@@ -19,6 +19,7 @@ struct ParticleFault {
   std::string material;
   double value = 0;
   std::optional<InadmissibleText> inadmissible;  ///< the law's own words for such a state
+  bool fixed_step = false;  ///< the deck fixes time.step, which then is what to lower
   int dimension = 3;
   std::array<double, 3> position{};  ///< [m]
 };

@@ -18,6 +18,12 @@ bool Schedule::due(int stream, double t) const {
   return std::abs(t - std::round(t / every) * every) <= same_event * every;
 }
 
+double Schedule::event(int stream, double t) const {
+  if (at_end(t)) return end_;
+  const double every = interval_[stream];
+  return every > 0 ? std::round(t / every) * every : 0;
+}
+
 bool Schedule::at_end(double t) const { return std::abs(t - end_) <= same_event * end_; }
 
 double Schedule::next_event(double t) const {

@@ -23,11 +23,17 @@ class Schedule {
   /// True where the particles' velocities and stresses will be asked for.
   bool record_due(double t) const { return history_due(t) || frame_due(t); }
   bool finished(double t) const { return t >= end_ || at_end(t); }
+  /// Time of the event that is due at t. Steps much shorter than an interval see the same one more
+  /// than once.
+  double history_event(double t) const { return event(0, t); }
+  double frame_event(double t) const { return event(1, t); }
+  double checkpoint_event(double t) const { return event(2, t); }
   /// The first event after t, at most the end; the end itself once it is reached.
   double next_event(double t) const;
 
  private:
   bool due(int stream, double t) const;
+  double event(int stream, double t) const;
   bool at_end(double t) const;
 
   double end_ = 0;

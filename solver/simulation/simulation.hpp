@@ -19,6 +19,7 @@
 #include "solver/particles/surface.hpp"
 #include "solver/simulation/method.hpp"
 #include "solver/simulation/schedule.hpp"
+#include "solver/simulation/step_limit.hpp"
 
 namespace scree {
 
@@ -120,7 +121,9 @@ class Simulation {
 
   // Valid when the schedule says that history or a frame is due at time().
   virtual HistoryRow history() const = 0;
-  /// Named fields: velocity, stress, pressure, mass, volume, displacement and material history.
+  /// Named fields: velocity, stress, pressure, mass, volume, displacement and material history. The
+  /// snapshot's own id, material and body may be named too, and add nothing. Throws UserError for
+  /// other names.
   virtual ParticleSnapshot particles(const std::vector<std::string>& fields) const = 0;
   /// The node velocities and masses of the last step, one snapshot a lattice.
   virtual std::vector<GridSnapshot> grid() const = 0;
@@ -133,6 +136,8 @@ class Simulation {
   virtual MemoryReport memory() const = 0;
   virtual PhaseTimes phases() const = 0;
   virtual StepTraffic traffic() const { return {}; }  ///< of a fused step; 0 where it is split
+  /// What bounds the coming step. After load() the places are known from the next step on.
+  virtual StepLimit step_limit() const { return {}; }
 };
 
 }  // namespace scree

@@ -11,6 +11,7 @@
 #include "solver/grid/grid.hpp"
 #include "solver/grid/grid_update.hpp"
 #include "solver/simulation/external_force.hpp"
+#include "solver/simulation/particle_view.hpp"
 #include "solver/simulation/simulation.hpp"
 #include "solver/simulation/step_clock.hpp"
 #include "solver/step/body.hpp"
@@ -29,6 +30,15 @@ struct BodyState {
   std::int64_t first_id = 0;
 };
 
+/// The block of a body where something is largest.
+template <int D>
+struct BlockPlace {
+  int body = -1;  ///< -1: not known
+  BlockCoord<D> block{};
+};
+
+struct FieldSource;
+
 enum class Phase { binning, grid, particles, stress, external, count };
 
 /// The simulation in D dimensions with reals T.
@@ -45,6 +55,7 @@ class SimulationImpl final : public Simulation {
   std::int64_t particle_count() const override;
   std::int64_t removed_count() const override { return removed_; }
   bool fused() const override { return fused_; }
+  StepLimit step_limit() const override;
   HistoryRow history() const override;
   ParticleSnapshot particles(const std::vector<std::string>& fields) const override;
   std::vector<GridSnapshot> grid() const override;
@@ -64,6 +75,8 @@ class SimulationImpl final : public Simulation {
   AuxLayout make_layout() const;
   void add_body(const BodySetup& setup, std::int32_t index);
   void place_particles(const BodySetup& setup, State& state);
+  void set_motion(const BodySetup& setup, std::size_t p, const std::array<double, 3>& local,
+                  std::int64_t slot, ParticleStore<D, T>& store);
   void first_step();
 
   // simulation_step.cpp
@@ -75,11 +88,11 @@ class SimulationImpl final : public Simulation {
   void scatter_all(double dt);
   void update_external();
   void finish_step();
+  PassParameters<T> pass_parameters(const State& state, double dt, double dt_next) const;
   PassData<D, T> pass_data(State& state, double dt, double dt_next);
   void check_faults() const;
   void read_motion();
   void read_signals();
-  double stable_dt() const;
   [[noreturn]] void fail(const State& state, std::size_t block) const;
   void check_mass(double grid_mass) const;
   void check_count() const;
@@ -88,11 +101,19 @@ class SimulationImpl final : public Simulation {
     seconds_[std::size_t(phase)] += spent.count();
   }
 
+  // simulation_clock.cpp
+  double stable_dt() const;
+  PlannedStep plan_first();
+  PlannedStep plan(double t, std::int64_t step);
+
   // simulation_output.cpp
   template <class F>
   void visit_block(const State& state, std::size_t number, F&& f) const;
   void require_record(const char* what) const;
   std::array<double, 3> position_of(std::uint64_t key, const T* batch, int lane) const;
+  void write_row(const ParticleView& particle, const State& state,
+                 const std::vector<FieldSource>& sources, std::size_t row,
+                 ParticleSnapshot& out) const;
   void fill_lattice(const GridSnapshot& snapshot, int lattice, std::vector<double>& mass,
                     std::vector<double>& velocity) const;
   /// The grid that holds the velocities of the last step.
@@ -116,6 +137,9 @@ class SimulationImpl final : public Simulation {
   StepClock clock_;
   PlannedStep planned_{};
   MotionBounds bounds_;
+  double first_stable_ = 0;               ///< bound of the step at t = 0 [s]; 0: none
+  double stable_ = 0;                     ///< bound of the coming step [s]
+  BlockPlace<D> fastest_{}, stiffest_{};  ///< where max_speed and max_signal are
   std::int64_t step_ = 0;
   std::int64_t removed_ = 0;
   std::int64_t initial_count_ = 0;

@@ -187,27 +187,35 @@ void SimulationImpl<D, T>::place_particles(const BodySetup& setup, State& state)
       for (std::size_t i = 0; i < entries.size(); ++i)
         store.value(slot, D + int(i)) = T(entries[i]);
     }
-    for (int a = 0; a < D; ++a) {
-      const double v = setup.velocity.empty() ? 0.0 : setup.velocity[3 * p + a];
-      store.aux_value(slot, layout_.velocity + a) = T(v);
-      bounds_.max_speed = std::max(bounds_.max_speed, std::abs(v));
-    }
-    if (setup.velocity_gradient.empty()) continue;
-    double gradient[D][D];
-    double affine[D][D];
-    double u[D];
-    for (int i = 0; i < D; ++i) {
-      u[i] = local[i];
-      for (int j = 0; j < D; ++j) {
-        gradient[i][j] = setup.velocity_gradient[9 * p + 3 * i + j] * setup_.cell_size;
-      }
-    }
-    initial_affine(setup_.kernel, setup_.transfer, u, gradient, affine);
-    for (int i = 0; i < D * D; ++i) {
-      store.aux_value(slot, layout_.affine + i) = T(affine[i / D][i % D]);
-    }
+    set_motion(setup, p, local, slot, store);
   }
   store.finish_blocks();
+}
+
+/// Velocity and affine matrix of particle p, at `local` [cells from its block's corner].
+template <int D, class T>
+void SimulationImpl<D, T>::set_motion(const BodySetup& setup, std::size_t p,
+                                      const std::array<double, 3>& local, std::int64_t slot,
+                                      ParticleStore<D, T>& store) {
+  for (int a = 0; a < D; ++a) {
+    const double v = setup.velocity.empty() ? 0.0 : setup.velocity[3 * p + a];
+    store.aux_value(slot, layout_.velocity + a) = T(v);
+    bounds_.max_speed = std::max(bounds_.max_speed, std::abs(v));
+  }
+  if (setup.velocity_gradient.empty()) return;
+  double gradient[D][D];
+  double affine[D][D];
+  double u[D];
+  for (int i = 0; i < D; ++i) {
+    u[i] = local[i];
+    for (int j = 0; j < D; ++j) {
+      gradient[i][j] = setup.velocity_gradient[9 * p + 3 * i + j] * setup_.cell_size;
+    }
+  }
+  initial_affine(setup_.kernel, setup_.transfer, u, gradient, affine);
+  for (int i = 0; i < D * D; ++i) {
+    store.aux_value(slot, layout_.affine + i) = T(affine[i / D][i % D]);
+  }
 }
 
 template class SimulationImpl<2, float>;

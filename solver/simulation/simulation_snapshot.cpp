@@ -10,7 +10,11 @@
 namespace scree {
 namespace {
 
+/// Where the components of a 3x3 tensor, row-major, lie among xx, xy, xz, yy, yz, zz. Viewers order
+/// six components otherwise, so all tensors go out whole.
 constexpr int sym_index[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+
+}  // namespace
 
 enum class FieldQuantity {
   velocity,
@@ -22,6 +26,15 @@ enum class FieldQuantity {
   displacement,
   state
 };
+
+/// Where a field's values come from.
+struct FieldSource {
+  FieldQuantity quantity = FieldQuantity::state;
+  std::vector<int> first;  ///< state: per body, first entry of the column; -1 = the body has none
+  bool symmetric = false;  ///< state: six entries that go out as nine components
+};
+
+namespace {
 
 struct BuiltInField {
   const char* name;
@@ -38,13 +51,6 @@ constexpr BuiltInField built_in_fields[] = {
     {"mass", "kg", 1, FieldQuantity::mass},
     {"volume", "m^3", 1, FieldQuantity::volume},
     {"displacement", "m", 3, FieldQuantity::displacement},
-};
-
-/// Where a field's values come from.
-struct FieldSource {
-  FieldQuantity quantity = FieldQuantity::state;
-  std::vector<int> first;  ///< state: per body, first entry of the column; -1 = the body has none
-  bool symmetric = false;  ///< state: six entries that go out as nine components
 };
 
 /// Cauchy stress is Kirchhoff stress over J, total where there is pore water; pressure is that of
@@ -81,10 +87,6 @@ void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInf
       return;
   }
 }
-
-/// Where the components of a 3x3 tensor, row-major, lie among xx, xy, xz, yy, yz, zz. Viewers order
-/// six components otherwise, so all tensors go out whole.
-constexpr int symmetric_entry[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
 /// The field `name`, empty, and where its values come from. Throws UserError for an unknown name.
 template <int D, class T>
@@ -134,6 +136,11 @@ std::vector<std::int64_t> rows_by_id(const std::vector<BodyState<D, T>>& bodies,
   return rows;
 }
 
+/// What every snapshot holds by itself.
+bool always_there(const std::string& name) {
+  return name == "id" || name == "material" || name == "body";
+}
+
 }  // namespace
 
 /// A body whose material lacks a field gets NaN there: nothing is made up for it.
@@ -151,38 +158,48 @@ ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>&
   out.body.resize(n);
   std::vector<FieldSource> sources;
   for (const std::string& name : fields) {
+    if (always_there(name)) continue;
     out.fields.emplace_back();
     sources.push_back(find_field(bodies_, name, out.fields.back()));
     out.fields.back().values.assign(n * std::size_t(out.fields.back().components),
                                     std::numeric_limits<double>::quiet_NaN());
   }
   for (const State& state : bodies_) {
-    const BodyInfo& info = state.body->info();
-    const auto write = [&](const ParticleView& p) {
-      const std::size_t row = std::size_t(rows[std::size_t(p.id)]);
-      std::copy(p.position.begin(), p.position.end(), &out.position[3 * row]);
-      out.material[row] = info.material_index;
-      out.body[row] = info.body_index;
-      const double* reference = reference_.empty() ? nullptr : &reference_[3 * std::size_t(p.id)];
-      for (std::size_t f = 0; f < sources.size(); ++f) {
-        const std::size_t components = std::size_t(out.fields[f].components);
-        double* value = &out.fields[f].values[row * components];
-        write_built_in(sources[f].quantity, p, info, reference, value);
-        if (sources[f].quantity != FieldQuantity::state) continue;
-        const int first = sources[f].first[std::size_t(info.body_index)];
-        if (first < 0) continue;
-        const T* entries = state.body->store().batch(p.batch) + p.lane;
-        for (std::size_t c = 0; c < components; ++c) {
-          const int entry = first + (sources[f].symmetric ? symmetric_entry[c] : int(c));
-          value[c] = double(entries[std::size_t(D + entry) * ParticleStore<D, T>::width]);
-        }
-      }
+    const auto write = [&](const ParticleView& view) {
+      write_row(view, state, sources, std::size_t(rows[std::size_t(view.id)]), out);
     };
     executor_.pool().for_each(
         std::int64_t(state.body->store().blocks().size()),
         [&](std::int64_t b, int) { visit_block(state, std::size_t(b), write); }, 4);
   }
   return out;
+}
+
+/// One particle's position, body and fields.
+template <int D, class T>
+void SimulationImpl<D, T>::write_row(const ParticleView& particle, const State& state,
+                                     const std::vector<FieldSource>& sources, std::size_t row,
+                                     ParticleSnapshot& out) const {
+  const BodyInfo& info = state.body->info();
+  std::copy(particle.position.begin(), particle.position.end(), &out.position[3 * row]);
+  out.material[row] = info.material_index;
+  out.body[row] = info.body_index;
+  const std::size_t id = std::size_t(particle.id);
+  const double* reference = reference_.empty() ? nullptr : &reference_[3 * id];
+  const T* record = state.body->store().batch(particle.batch) + particle.lane;
+  for (std::size_t f = 0; f < sources.size(); ++f) {
+    const FieldSource& source = sources[f];
+    const std::size_t components = std::size_t(out.fields[f].components);
+    double* value = &out.fields[f].values[row * components];
+    write_built_in(source.quantity, particle, info, reference, value);
+    if (source.quantity != FieldQuantity::state) continue;
+    const int first = source.first[std::size_t(info.body_index)];
+    if (first < 0) continue;
+    for (std::size_t c = 0; c < components; ++c) {
+      const int entry = first + (source.symmetric ? sym_index[c] : int(c));
+      value[c] = double(record[std::size_t(D + entry) * ParticleStore<D, T>::width]);
+    }
+  }
 }
 
 template <int D, class T>

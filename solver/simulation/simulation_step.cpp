@@ -12,6 +12,20 @@ namespace scree {
 
 using Clock = std::chrono::steady_clock;
 
+namespace {
+
+/// A maximum over blocks and where it is.
+template <int D, class T>
+void raise(double& most, double value, BlockPlace<D>& place, const BodyState<D, T>& state,
+           std::size_t block) {
+  if (!(value > most)) return;
+  most = value;
+  place.body = state.body->info().body_index;
+  for (int a = 0; a < D; ++a) place.block[a] = state.coords[block * D + std::size_t(a)];
+}
+
+}  // namespace
+
 template <int D, class T>
 void SimulationImpl<D, T>::step() {
   bin_if_needed();
@@ -29,7 +43,7 @@ void SimulationImpl<D, T>::step() {
 template <int D, class T>
 void SimulationImpl<D, T>::step_fused() {
   update_grid();
-  const PlannedStep next = plan_step(setup_.schedule, clock_.next_time, stable_dt());
+  const PlannedStep next = plan(clock_.next_time, step_ + 1);
   const auto start = Clock::now();
   recorded_ = setup_.record && setup_.schedule.record_due(clock_.next_time);
   grid_.clear(next_, executor_.pool());
@@ -53,7 +67,7 @@ void SimulationImpl<D, T>::step_split() {
   update_external();
   scatter_all(clock_.dt);
   update_grid();
-  planned_ = plan_step(setup_.schedule, clock_.next_time, stable_dt());
+  planned_ = plan(clock_.next_time, step_ + 1);
   auto start = Clock::now();
   for (State& state : bodies_) {
     const PassData<D, T> data = pass_data(state, clock_.dt, clock_.dt);
@@ -77,25 +91,13 @@ void SimulationImpl<D, T>::first_step() {
     state.body->stress(executor_, pass_data(state, 0, 0), state.all_blocks);
   }
   read_signals();
-  const PlannedStep first = plan_step(setup_.schedule, 0, stable_dt());
+  const PlannedStep first = plan_first();
   clock_ = {0, first.dt, first.end, 0};
   if (!fused_) return;
   scatter_all(clock_.dt);
   if (setup_.record) return;
   for (State& state : bodies_) state.body->store().resize_aux(0);
   layout_ = AuxLayout{};
-}
-
-template <int D, class T>
-double SimulationImpl<D, T>::stable_dt() const {
-  if (setup_.step) return *setup_.step;
-  MotionBounds bounds = bounds_;
-  for (const Collider& collider : colliders_) {
-    for (int a = 0; a < D; ++a) {
-      bounds.max_speed = std::max(bounds.max_speed, std::abs(collider.velocity()[a]));
-    }
-  }
-  return stable_step(bounds, setup_.cell_size, setup_.cfl);
 }
 
 /// Particles to grid from the stored velocities and stresses, forces over a step dt.
@@ -209,10 +211,9 @@ void SimulationImpl<D, T>::refresh_blocks() {
 }
 
 template <int D, class T>
-PassData<D, T> SimulationImpl<D, T>::pass_data(State& state, double dt, double dt_next) {
-  ParticleStore<D, T>& store = state.body->store();
-  PassData<D, T> data;
-  PassParameters<T>& par = data.parameters;
+PassParameters<T> SimulationImpl<D, T>::pass_parameters(const State& state, double dt,
+                                                        double dt_next) const {
+  PassParameters<T> par;
   par.dt = T(dt);
   par.dt_next = T(dt_next);
   par.cell_size = T(setup_.cell_size);
@@ -236,6 +237,14 @@ PassData<D, T> SimulationImpl<D, T>::pass_data(State& state, double dt, double d
     par.wrap_lower[a] = periodic ? T(0) : -far;
     par.wrap_upper[a] = periodic ? n : far;
   }
+  return par;
+}
+
+template <int D, class T>
+PassData<D, T> SimulationImpl<D, T>::pass_data(State& state, double dt, double dt_next) {
+  ParticleStore<D, T>& store = state.body->store();
+  PassData<D, T> data;
+  data.parameters = pass_parameters(state, dt, dt_next);
   data.layout = layout_;
   data.fields = store.fields();
   data.particles = store.count() > 0 ? store.batch(0) : nullptr;
@@ -274,8 +283,9 @@ void SimulationImpl<D, T>::read_motion() {
   scattered_mass_ = 0;
   for (const State& state : bodies_) {
     std::int64_t dead = 0;
-    for (const BlockResult<T>& result : state.results) {
-      bounds_.max_speed = std::max(bounds_.max_speed, double(result.max_speed));
+    for (std::size_t b = 0; b < state.results.size(); ++b) {
+      const BlockResult<T>& result = state.results[b];
+      raise(bounds_.max_speed, double(result.max_speed), fastest_, state, b);
       bounds_.max_excursion = std::max(bounds_.max_excursion, double(result.max_excursion));
       dead += result.dead;
     }
@@ -292,8 +302,8 @@ void SimulationImpl<D, T>::read_signals() {
   check_faults();
   bounds_.max_signal = 0;
   for (const State& state : bodies_) {
-    for (const BlockResult<T>& result : state.results) {
-      bounds_.max_signal = std::max(bounds_.max_signal, double(result.max_signal));
+    for (std::size_t b = 0; b < state.results.size(); ++b) {
+      raise(bounds_.max_signal, double(state.results[b].max_signal), stiffest_, state, b);
     }
   }
 }
@@ -310,6 +320,7 @@ void SimulationImpl<D, T>::fail(const State& state, std::size_t block) const {
   if (const MaterialEntry* law = find_material_model(state.body->info().model)) {
     fault.inadmissible = law->inadmissible;
   }
+  fault.fixed_step = setup_.step.has_value();
   fault.dimension = D;
   for (int a = 0; a < D; ++a) {
     const double cells = double(block_cells) * state.coords[block * D + std::size_t(a)] +

@@ -166,6 +166,44 @@ TEST_F(RunControl, AWrongDeckWritesNothing) {
   EXPECT_FALSE(fs::exists(path("a")));
 }
 
+/// The message about an unknown field lists names; a run must take every one of them.
+TEST_F(RunControl, EveryFieldThatTheMessageAllowsIsTaken) {
+  const std::string message = scree("a", {"--set", "output.fields=[\"nothing\"]"}).err;
+  const std::string phrase = "allowed: ";
+  const std::size_t at = message.find(phrase);
+  ASSERT_NE(at, std::string::npos) << message;
+  const std::size_t begin = at + phrase.size();
+  std::string names = message.substr(begin, message.find(';', begin) - begin);
+  for (std::size_t i = 0; (i = names.find(", ", i)) != std::string::npos;) {
+    names.replace(i, 2, "\",\"");
+  }
+  const std::string fields = "output.fields=[\"" + names + "\"]";
+  for (const char* always : {"id", "material", "body"}) {
+    EXPECT_NE(fields.find("\"" + std::string(always) + "\""), std::string::npos) << fields;
+  }
+  const ProcessResult result = scree("a", {"--max-steps", "2", "--set", fields});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(record("a")["status"], "interrupted");
+  const std::string frame = read_text(path("a") / "frames/particles_000000.vtu");
+  const std::size_t first = frame.find("Name=\"id\"");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(frame.find("Name=\"id\"", first + 1), std::string::npos);  // not twice
+  EXPECT_NE(frame.find("Name=\"displacement\""), std::string::npos);
+}
+
+TEST_F(RunControl, AStepThatNeverEndsIsAFaultAndFillsNoDisk) {
+  const ProcessResult result = scree(
+      "a", {"--set", "collider.p.shape={type=\"box\",lower=[0,0.3],upper=[0.1,0.35]}", "--set",
+            "collider.p.velocity=[\"1/(0.0305-t)\", 0]", "--set", "collider.p.contact=\"slip\""});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_NE(result.err.find("warning: at t = "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("because of collider p, which moves at"), std::string::npos)
+      << result.err;
+  EXPECT_EQ(record("a")["status"], "failed");
+  const std::string history = read_text(path("a") / "history.csv");
+  EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 1 + 31);  // 0, 1, ... 30 ms
+}
+
 TEST_F(RunControl, LimitsAndResumeAreBitwise) {
   ASSERT_EQ(scree("whole").status, 0);
   ASSERT_EQ(scree("part", {"--max-steps", "77"}).status, 0);

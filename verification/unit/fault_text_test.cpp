@@ -34,5 +34,20 @@ TEST(FaultText, TheLawsOwnWordsComeFirst) {
             "it");
 }
 
+TEST(FaultText, NamesTheKeyThatIsInForce) {
+  for (const FaultCode code : {FaultCode::moved_too_far, FaultCode::inadmissible_state,
+                               FaultCode::not_finite, FaultCode::left_domain}) {
+    ParticleFault fault;
+    fault.code = code;
+    const std::string chosen = fault_text(fault);
+    EXPECT_NE(chosen.find("time.cfl"), std::string::npos) << chosen;
+    EXPECT_EQ(chosen.find("time.step"), std::string::npos) << chosen;
+    fault.fixed_step = true;
+    const std::string fixed = fault_text(fault);
+    EXPECT_NE(fixed.find("lower time.step"), std::string::npos) << fixed;
+    EXPECT_EQ(fixed.find("time.cfl"), std::string::npos) << fixed;
+  }
+}
+
 }  // namespace
 }  // namespace scree

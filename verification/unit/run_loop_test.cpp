@@ -97,6 +97,31 @@ TEST_F(RunLoopTest, WritesEveryEventOnce) {
   EXPECT_NE(files.at("particles.pvd").find("timestep=\"1\""), std::string::npos);
 }
 
+/// Steps of 1e-11 s from t = 0 all lie within the 1e-9 of an interval that counts as its event.
+TEST_F(RunLoopTest, ShortStepsAtAnEventWriteItOnce) {
+  const Schedule coarse(1.0, 0.5, 1.0, 0.25);
+  RunLimits limits;
+  limits.max_steps = 5;
+  for (const FolderMode mode : {FolderMode::fresh, FolderMode::resume}) {
+    const RunFolder folder = RunFolder::open(part(), mode);
+    FakeSimulation simulation(coarse, 1e-11, 5);
+    Recorder recorder(folder, output(), true, coarse, identity);
+    if (mode == FolderMode::resume) {
+      const CheckpointReader checkpoint(folder.checkpoint());
+      simulation.load(checkpoint);
+      recorder.resume(simulation, checkpoint, {});
+    } else {
+      recorder.start(simulation, {});
+    }
+    run_loop(simulation, coarse, recorder, limits, [] {});
+    const auto files = contents(part());
+    const std::string& history = files.at("history.csv");
+    EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 1 + 1);  // header, t = 0
+    EXPECT_TRUE(files.contains("frames/particles_000000.vtu"));
+    EXPECT_FALSE(files.contains("frames/particles_000001.vtu"));
+  }
+}
+
 TEST_F(RunLoopTest, StepsAndGoesOnBitwise) {
   RunLimits limits;
   limits.max_steps = 333;  // between events

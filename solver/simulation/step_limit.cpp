@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/simulation/step_limit.hpp"
+
+#include <fmt/format.h>
+
+namespace scree {
+namespace {
+
+std::string particles(const StepLimit& limit) {
+  if (limit.name.empty()) return "the particles";
+  const auto& x = limit.place;
+  return limit.dimension == 2
+             ? fmt::format("particles of {} near ({:.4g}, {:.4g}) m", limit.name, x[0], x[1])
+             : fmt::format("particles of {} near ({:.4g}, {:.4g}, {:.4g}) m", limit.name, x[0],
+                           x[1], x[2]);
+}
+
+}  // namespace
+
+std::string cause_text(const StepLimit& limit) {
+  switch (limit.cause) {
+    case StepLimit::Cause::fixed:
+      return "time.step; lengthen it";
+    case StepLimit::Cause::collider:
+      return fmt::format("collider {}, which moves at {:.3g} m/s; prescribe a slower motion",
+                         limit.name, limit.speed);
+    case StepLimit::Cause::motion:
+      return fmt::format("{}, which move at {:.3g} m/s; lower the loads that drive them",
+                         particles(limit), limit.speed);
+    case StepLimit::Cause::waves:
+      break;
+  }
+  return fmt::format(
+      "{}, where waves and motion reach {:.3g} m/s; squeeze the material less, or more slowly",
+      particles(limit), limit.speed);
+}
+
+std::string short_step_text(double time, const StepLimit& limit) {
+  return fmt::format(
+      "at t = {:.6g} s the time step has fallen from {:.2g} s to {:.2g} s because of {}", time,
+      limit.first, limit.now, cause_text(limit));
+}
+
+std::string step_fault_text(std::int64_t step, double time, const StepLimit& limit) {
+  return fmt::format("step {}: the run would not end: {}", step, short_step_text(time, limit));
+}
+
+}  // namespace scree
