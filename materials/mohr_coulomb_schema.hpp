@@ -68,6 +68,13 @@ inline std::optional<Finding> mohr_coulomb_strength_finding(const MohrCoulomb::I
   if (range.dilation[0] > range.friction[0])
     return Finding{"dilation_angle", "dilation above friction would create energy",
                    "0 to friction_angle", "lower dilation_angle or raise friction_angle"};
+  const double slope = std::tan(range.friction[0]);
+  if (!std::isnan(in.tension_cutoff) && in.tension_cutoff * slope > range.cohesion[0]) {
+    return Finding{
+        "tension_cutoff", "lies beyond the apex of the pyramid and would do nothing",
+        "0 to cohesion cot(friction_angle) = " + std::to_string(range.cohesion[0] / slope) + " Pa",
+        "lower it, or remove it"};
+  }
   return std::nullopt;
 }
 

@@ -17,6 +17,10 @@ deck.toml:21:12: body.column.material = "sand": there is no [material.sand]; all
      R"~(deck.toml:15:9: material.sand.model = "druker_prager": unknown name; allowed: MODELS; did you mean "drucker_prager"?)~"},
     {15, R"~()~",
      R"~(deck.toml:14:1: material.sand.model: required key is missing; allowed: MODELS; add model = ... to material.sand)~"},
+    {15, R"~(model = "mohr_coulomb"
+cohesion = "10 kPa"
+tension_cutoff = "20 kPa")~",
+     R"~(deck.toml:17:18: material.sand.tension_cutoff = "20 kPa": lies beyond the apex of the pyramid and would do nothing; allowed: 0 to cohesion cot(friction_angle) = 16642.794824 Pa; lower it, or remove it)~"},
     {16, R"~(density = "18 kN/m^3")~",
      R"~(deck.toml:16:11: material.sand.density = "18 kN/m^3": has a unit that is not of a density; allowed: kg/m^3, g/cm^3, t/m^3; this is a weight per volume; divide it by g = 9.81 m/s^2: "1834.9 kg/m^3")~"},
     {16, R"~(density = -5)~",
