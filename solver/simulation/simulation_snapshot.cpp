@@ -116,23 +116,35 @@ FieldSource find_field(const std::vector<BodyState<D, T>>& bodies, const std::st
   return source;
 }
 
-/// Row of each id among the living particles, -1 for those that left.
-template <int D, class T>
-std::vector<std::int64_t> rows_by_id(const std::vector<BodyState<D, T>>& bodies,
-                                     std::vector<std::int64_t>& ids) {
+/// f(id) for every living particle.
+template <int D, class T, class F>
+void each_id(const std::vector<BodyState<D, T>>& bodies, F&& f) {
+  constexpr int width = ParticleStore<D, T>::width;
   for (const BodyState<D, T>& state : bodies) {
     const ParticleStore<D, T>& store = state.body->store();
     for (const auto& block : store.blocks()) {
       for (int i = 0; i < block.count; ++i) {
-        constexpr int width = ParticleStore<D, T>::width;
         const std::int64_t id = store.ids(block.batches[std::size_t(i / width)])[i % width];
-        if (id >= 0) ids.push_back(id);
+        if (id >= 0) f(id);
       }
     }
   }
-  std::sort(ids.begin(), ids.end());
-  std::vector<std::int64_t> rows(ids.empty() ? 0 : std::size_t(ids.back()) + 1, -1);
-  for (std::size_t r = 0; r < ids.size(); ++r) rows[std::size_t(ids[r])] = std::int64_t(r);
+}
+
+/// Row of each id among the living particles, -1 for those that left; ids: those that live, in
+/// order. Ids are small numbers, so they are counted, not sorted.
+template <int D, class T>
+std::vector<std::int64_t> rows_by_id(const std::vector<BodyState<D, T>>& bodies,
+                                     std::vector<std::int64_t>& ids) {
+  std::int64_t last = -1;
+  each_id(bodies, [&](std::int64_t id) { last = std::max(last, id); });
+  std::vector<std::int64_t> rows(std::size_t(last + 1), -1);
+  each_id(bodies, [&](std::int64_t id) { rows[std::size_t(id)] = 0; });
+  for (std::size_t id = 0; id < rows.size(); ++id) {
+    if (rows[id] < 0) continue;
+    rows[id] = std::int64_t(ids.size());
+    ids.push_back(std::int64_t(id));
+  }
   return rows;
 }
 
