@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "app/bench_case.hpp"
+#include "app/machine_info.hpp"
 
 namespace scree {
 namespace {
@@ -22,8 +22,7 @@ double seconds_since(Clock::time_point start) {
 BenchRun::BenchRun(const BenchOptions& options) : options_(options) {
   const auto start = Clock::now();
   SimulationSetup setup = build_bench_case(options);
-  const int cores = std::max(1, int(std::thread::hardware_concurrency()));
-  threads_ = setup.threads = options.threads > 0 ? options.threads : cores;
+  threads_ = setup.threads = thread_count(options.threads);
   simulation_ = Simulation::create(std::move(setup));
   set_up_seconds_ = seconds_since(start);
 }

@@ -13,6 +13,7 @@
 #include "solver/deck/particle_faults.hpp"
 #include "solver/particles/sampling.hpp"
 #include "solver/particles/shape.hpp"
+#include "solver/simulation/fault_text.hpp"
 
 namespace scree {
 namespace {
@@ -106,7 +107,7 @@ void add_tractions(const Deck& deck, std::int32_t body, const SampledBody& sampl
 void check_particles(const Deck& deck, const BodySpec& body, const SampledBody& sampled) {
   const auto faults = particle_faults(deck, body, sampled, Problems());
   if (faults.empty()) return;
-  const ParticleFault& fault = faults.front();
+  const BodyFault& fault = faults.front();
   throw UserError(fault.key() + ": " + fault.message +
                   (fault.repair.empty() ? "" : "; " + fault.repair));
 }
@@ -138,11 +139,6 @@ void add_body(const Deck& deck, std::int32_t index, SimulationSetup& setup) {
   setup.bodies.push_back(std::move(body));
 }
 
-std::string point_text(const double* x, int dimension) {
-  return dimension == 2 ? fmt::format("({:.4g}, {:.4g}) m", x[0], x[1])
-                        : fmt::format("({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[2]);
-}
-
 void set_loads(const Deck& deck, SimulationSetup& setup) {
   const int dimension = deck.domain.dimension;
   if (Field::given(deck.method.gravity)) {
@@ -163,9 +159,8 @@ void set_loads(const Deck& deck, SimulationSetup& setup) {
       if (const std::string* text = field.undefined(value)) {
         throw RunFault(
             fmt::format("method.body_force: \"{}\" is not finite at t = {:.6g} s for the particle "
-                        "at {}, at the "
-                        "start at {}",
-                        *text, t, point_text(x, dimension), point_text(X, dimension)));
+                        "at {}, at the start at {}",
+                        *text, t, place_text(x, dimension), place_text(X, dimension)));
       }
       return value;
     };

@@ -9,10 +9,10 @@
 #include <cstdio>
 #include <fstream>
 #include <limits>
-#include <thread>
 
 #include "app/build_simulation.hpp"
 #include "app/deck_warnings.hpp"
+#include "app/machine_info.hpp"
 #include "solver/base/error.hpp"
 #include "solver/deck/deck.hpp"
 #include "solver/particles/shape.hpp"
@@ -121,11 +121,6 @@ std::string particles_text(const SimulationSetup& setup) {
     bodies += fmt::format("{}{} {}", bodies.empty() ? "" : ", ", body.name, count);
   }
   return fmt::format("{} ({})", total, bodies);
-}
-
-int thread_count(int asked) {
-  const int cores = static_cast<int>(std::thread::hardware_concurrency());
-  return asked > 0 ? asked : std::max(1, cores);
 }
 
 /// What is printed about a deck that fits into memory.

@@ -5,7 +5,6 @@
 
 #include <CLI/Version.hpp>
 #include <string>
-#include <thread>
 
 #include "app/machine_info.hpp"
 #include "generated/build_info.hpp"
@@ -62,7 +61,7 @@ int info_command() {
   for (const MaterialEntry& model : material_registry()) models.push_back(model.name);
   line("materials", join(models));
   line("backends", "cpu");
-  line("cpu", fmt::format("{} threads", std::thread::hardware_concurrency()));
+  line("cpu", fmt::format("{} threads", thread_count(0)));
   line("cuda", cuda_text());
   for (const auto& [name, version] : deck_library_versions()) line(name, version);
   line("CLI11", CLI11_VERSION);

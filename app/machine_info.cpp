@@ -51,10 +51,14 @@ const char* instruction_set() {
 #endif
 }
 
+int thread_count(int asked) {
+  return asked > 0 ? asked : std::max(1, int(std::thread::hardware_concurrency()));
+}
+
 MachineInfo machine_info() {
   MachineInfo info;
   info.cpu = cpu_name();
-  info.threads = std::max(1, int(std::thread::hardware_concurrency()));
+  info.threads = thread_count(0);
   info.instruction_set = instruction_set();
   info.compiler = build_info::compiler;
   info.cache_bytes = cache_size();

@@ -17,6 +17,9 @@ struct MachineInfo {
 
 MachineInfo machine_info();
 
+/// Threads for an option --threads: `asked`, or for 0 as many as the machine can run at a time.
+int thread_count(int asked);
+
 /// The widest vector instructions that this build may use.
 const char* instruction_set();
 

@@ -61,28 +61,29 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
   taken_step_ = simulation.step_count();
   saved_time_ = time;
   // What is due here was taken before the checkpoint.
-  is_new(row_event_, schedule_.history_due(time), schedule_.history_event(time));
-  is_new(frame_event_, schedule_.frame_due(time), schedule_.frame_event(time));
-  is_new(checkpoint_event_, schedule_.checkpoint_due(time), schedule_.checkpoint_event(time));
+  take_events(time);
   particles_.resume(checkpoint.get<double>("run/particle_frame_times"));
   grid_.resume(checkpoint.get<double>("run/grid_frame_times"));
   history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count());
   history_time_ = time;
 }
 
+Recorder::Events Recorder::take_events(double time) {
+  const bool frames = schedule_.frame_due(time) && output_.format != FrameFormat::none;
+  return {
+      is_new(row_event_, schedule_.history_due(time), schedule_.history_event(time)),
+      is_new(frame_event_, frames, schedule_.frame_event(time)),
+      is_new(checkpoint_event_, schedule_.checkpoint_due(time), schedule_.checkpoint_event(time))};
+}
+
 void Recorder::record(const Simulation& simulation) {
   queue_.check();
-  const double time = simulation.time();
-  const bool row = is_new(row_event_, schedule_.history_due(time), schedule_.history_event(time));
-  const bool frames = schedule_.frame_due(time) && output_.format != FrameFormat::none;
-  const bool frame = is_new(frame_event_, frames, schedule_.frame_event(time));
-  const bool checkpoint =
-      is_new(checkpoint_event_, schedule_.checkpoint_due(time), schedule_.checkpoint_event(time));
-  if (!row && !frame && !checkpoint) return;
+  const Events due = take_events(simulation.time());
+  if (!due.row && !due.frame && !due.checkpoint) return;
   const Stopwatch watch(seconds_);
-  if (row) take_row(simulation);
-  if (frame) take_frames(simulation);
-  if (checkpoint) take_checkpoint(simulation);
+  if (due.row) take_row(simulation);
+  if (due.frame) take_frames(simulation);
+  if (due.checkpoint) take_checkpoint(simulation);
 }
 
 void Recorder::take_row(const Simulation& simulation) {

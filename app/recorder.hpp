@@ -60,6 +60,11 @@ class Recorder {
   std::string kept();
 
  private:
+  struct Events {
+    bool row, frame, checkpoint;
+  };
+  /// What is due at this time and was not taken for the same event; counts as taken from now on.
+  Events take_events(double time);
   void take_row(const Simulation& simulation);
   void take_frames(const Simulation& simulation);
   void take_checkpoint(const Simulation& simulation);

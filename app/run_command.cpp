@@ -8,11 +8,11 @@
 #include <csignal>
 #include <memory>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "app/build_simulation.hpp"
 #include "app/deck_warnings.hpp"
+#include "app/machine_info.hpp"
 #include "app/progress.hpp"
 #include "app/recorder.hpp"
 #include "app/run_folder.hpp"
@@ -57,10 +57,6 @@ std::string chosen_backend(const std::string& asked) {
   if (asked == "auto" || asked == "cpu") return "cpu";
   throw UserError(
       fmt::format("--backend {} cannot run a deck in this version; use --backend cpu", asked));
-}
-
-int thread_count(int asked) {
-  return asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 std::vector<std::string> collider_names(const Deck& deck) {

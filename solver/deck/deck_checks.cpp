@@ -276,7 +276,7 @@ class Checker {
 
   /// Formulas and loads at the particles.
   void check_formulas(const BodySpec& body, const SampledBody& particles) {
-    for (const ParticleFault& fault : particle_faults(deck_, body, particles, problems_)) {
+    for (const BodyFault& fault : particle_faults(deck_, body, particles, problems_)) {
       report(fault.path, fault.message, "", fault.repair);
     }
   }

@@ -83,18 +83,18 @@ class Finder {
     formulas({"traction", spec.name, "value"}, spec.value, Depends::place_and_time, patch.particle);
   }
 
-  std::vector<ParticleFault> faults() && { return std::move(faults_); }
+  std::vector<BodyFault> faults() && { return std::move(faults_); }
 
  private:
   const Deck& deck_;
   const SampledBody& particles_;
   const Problems& problems_;
-  std::vector<ParticleFault> faults_;
+  std::vector<BodyFault> faults_;
 };
 
 }  // namespace
 
-std::string ParticleFault::key() const { return dotted(path); }
+std::string BodyFault::key() const { return dotted(path); }
 
 std::string point_text(const std::array<double, 3>& x, int dimension) {
   std::string text;
@@ -121,8 +121,8 @@ SurfacePatch loaded_faces(const Deck& deck, const TractionSpec& traction, const 
   return exposed_faces(body, selection);
 }
 
-std::vector<ParticleFault> particle_faults(const Deck& deck, const BodySpec& body,
-                                           const SampledBody& particles, const Problems& problems) {
+std::vector<BodyFault> particle_faults(const Deck& deck, const BodySpec& body,
+                                       const SampledBody& particles, const Problems& problems) {
   Finder finder(deck, particles, problems);
   finder.formulas({"body", body.name, "velocity"}, body.velocity, Depends::place);
   finder.formulas({"method", "body_force"}, deck.method.body_force, Depends::place_and_time);

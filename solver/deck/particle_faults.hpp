@@ -12,7 +12,7 @@
 namespace scree {
 
 /// A mistake of a deck that shows once the particles of a body are known.
-struct ParticleFault {
+struct BodyFault {
   std::vector<std::string> path;  ///< of the key, e.g. {"traction", "top", "region"}
   std::string message, repair;
 
@@ -29,7 +29,7 @@ SurfacePatch loaded_faces(const Deck& deck, const TractionSpec& traction, const 
 
 /// Velocities of the body, body forces at its particles and its tractions at t = 0 that are no
 /// finite numbers, and tractions that load no face. Keys that have a problem already are left out.
-std::vector<ParticleFault> particle_faults(const Deck& deck, const BodySpec& body,
-                                           const SampledBody& particles, const Problems& problems);
+std::vector<BodyFault> particle_faults(const Deck& deck, const BodySpec& body,
+                                       const SampledBody& particles, const Problems& problems);
 
 }  // namespace scree

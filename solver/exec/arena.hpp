@@ -50,8 +50,7 @@ SCREE_FN constexpr NodePlace arena_place(int n) {
 struct LineCut {
   std::int32_t first;  ///< place in the line
   std::int32_t count;
-  std::int32_t neighbour;  ///< 0 .. 2: the block before, the same, the next
-  std::int32_t node;       ///< place in that block, 0 .. 3
+  NodePlace shift;  ///< from the line's first node
 };
 
 /// How the blocks cut the lines of a lattice, and where each line begins.
@@ -61,29 +60,19 @@ struct ArenaLines {
   static constexpr int count = Shape::lattice_nodes / Shape::extent;
   static constexpr int max_cuts = 3;
 
-  NodePlace line[count];  ///< the part of the axes before the last
+  NodePlace line[count];  ///< of the first node
   LineCut cut[max_cuts];
   int cuts;
 
   constexpr ArenaLines() : line{}, cut{}, cuts(0) {
-    for (int l = 0; l < count; ++l) {
-      int rest = l;
-      int neighbour_stride = 3;
-      int node_stride = block_cells;
-      for (int a = D - 2; a >= 0; --a) {
-        const int node = Kernel::first_node(lattice) + rest % Shape::extent;
-        rest /= Shape::extent;
-        line[l].neighbour += (block_of_node(node) + 1) * neighbour_stride;
-        line[l].node += node_in_block(node) * node_stride;
-        neighbour_stride *= 3;
-        node_stride *= block_cells;
-      }
-      line[l].node += lattice * block_node_count<D>;
-    }
+    constexpr int first = lattice * Shape::lattice_nodes;
+    for (int l = 0; l < count; ++l) line[l] = arena_place<Kernel, D>(first + l * Shape::extent);
+    int block = -1;
     for (int z = 0; z < Shape::extent; ++z) {
-      const int node = Kernel::first_node(lattice) + z;
-      if (z == 0 || node_in_block(node) == 0) {
-        cut[cuts++] = {z, 0, block_of_node(node) + 1, node_in_block(node)};
+      const NodePlace place = arena_place<Kernel, D>(first + z);
+      if (place.neighbour != block) {
+        block = place.neighbour;
+        cut[cuts++] = {z, 0, {block - line[0].neighbour, place.node - line[0].node}};
       }
       ++cut[cuts - 1].count;
     }
@@ -97,8 +86,8 @@ template <class Kernel, int D, int lattice, class F, std::size_t... cut>
   static constexpr ArenaLines<Kernel, D, lattice> lines;
   const int first = lattice * ArenaShape<Kernel, D>::lattice_nodes + l * Kernel::arena_extent;
   (f(std::integral_constant<int, lines.cut[cut].count>{}, first + lines.cut[cut].first,
-     NodePlace{lines.line[l].neighbour + lines.cut[cut].neighbour,
-               lines.line[l].node + lines.cut[cut].node}),
+     NodePlace{lines.line[l].neighbour + lines.cut[cut].shift.neighbour,
+               lines.line[l].node + lines.cut[cut].shift.node}),
    ...);
 }
 

@@ -257,11 +257,16 @@ class CpuGroup {
     each_run<Kernel, D>(first_line, last_line, fetch);
   }
 
+  /// The topology's numbers of the blocks around `block`.
+  const std::int32_t* around(int block) const {
+    return data_.neighbours + data_.grid_block[block] * neighbour_count<D>;
+  }
+
   /// First value of the nodes of each block around `block`; all of them are active (Topology).
   void find_nodes(int block, std::size_t (&nodes_of)[neighbour_count<D>]) const {
-    const std::int32_t* around = data_.neighbours + data_.grid_block[block] * neighbour_count<D>;
+    const std::int32_t* blocks = around(block);
     for (int n = 0; n < neighbour_count<D>; ++n) {
-      nodes_of[n] = std::size_t(around[n]) * Kernel::lattices * block_node_count<D> * node_values;
+      nodes_of[n] = std::size_t(blocks[n]) * Kernel::lattices * block_node_count<D> * node_values;
     }
   }
 

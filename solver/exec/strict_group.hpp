@@ -46,9 +46,8 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
 
   void begin(int block) {
     Base::begin(block);
-    const std::int32_t* around = data_.neighbours + data_.grid_block[block] * neighbour_count<D>;
     for (int n = 0; n < neighbour_count<D>; ++n) {
-      require(around[n] >= 0, "visits a block with a neighbour that holds no nodes");
+      require(Base::around(block)[n] >= 0, "visits a block with a neighbour that holds no nodes");
     }
     epoch_ = 0;
     for (int c = 0; c < channels; ++c) {

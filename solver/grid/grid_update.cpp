@@ -55,6 +55,30 @@ void divide_by_mass(T* nodes, std::size_t count, T keep) {
   }
 }
 
+/// Local damping of momenta p with all impulses; those before forces, q, become velocities.
+template <int D, class T>
+void damp_nodes(T* p, T* q, std::size_t count, T local) {
+  for (std::size_t i = 0; i < count * node_values; i += node_values) {
+    const T mass = p[i + mass_slot];
+    for (int a = 0; a < D; ++a) {
+      T& momentum = p[i + a];
+      const T old = q[i + a];
+      // Cundall: a fraction of the out-of-balance force opposes the velocity.
+      const T damping = local * std::abs(momentum - old);
+      if (local > T(0)) momentum -= old > T(0) ? damping : old < T(0) ? -damping : T(0);
+      q[i + a] = mass > T(0) ? old / mass : T(0);
+    }
+  }
+}
+
+/// q <- p - q: the velocity change.
+template <int D, class T>
+void subtract_from(const T* p, T* q, std::size_t count) {
+  for (std::size_t i = 0; i < count * node_values; i += node_values) {
+    for (int a = 0; a < D; ++a) q[i + a] = p[i + a] - q[i + a];
+  }
+}
+
 }  // namespace
 
 template <int D, class T>
@@ -245,43 +269,28 @@ template <int D, class T>
 void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                                     const GridForces& forces, std::vector<Collider>& colliders) {
   const std::size_t records = grid.block_values() / node_values;
+  const std::size_t first = std::size_t(block) * records * node_values;
   const T keep =
       forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
-  if (q == nullptr && colliders.empty()) {
-    divide_by_mass(p + std::size_t(block) * records * node_values, records, keep);
-    return;
-  }
   const T local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
-  for (std::size_t i = 0; i < records; ++i) {
-    const std::size_t at = (std::size_t(block) * records + i) * node_values;
-    const T mass = p[at + mass_slot];
-    T v[3] = {0, 0, 0};
-    T before[3] = {0, 0, 0};
-    if (mass > T(0)) {
-      for (int a = 0; a < D; ++a) {
-        T momentum = p[at + a];
-        if (q != nullptr) {
-          const T old = q[at + a];
-          // Cundall: a fraction of the out-of-balance force opposes the velocity.
-          const T damping = local * std::abs(momentum - old);
-          if (local > T(0)) momentum -= old > T(0) ? damping : old < T(0) ? -damping : T(0);
-          before[a] = old / mass;
-        }
-        v[a] = momentum / mass * keep;
-      }
-      if (!colliders.empty()) {
-        const int lattice = int(i) / block_node_count<D>;
-        const BlockCoord<D> node = grid.node(int(block), int(i) % block_node_count<D>);
-        std::array<double, 3> x = lower_;
-        for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
-        touch_colliders(x, mass, v, colliders,
-                        &block_reactions_[std::size_t(block) * colliders.size()]);
-      }
-    }
-    for (int a = 0; a < D; ++a) {
-      p[at + a] = v[a];
-      if (q != nullptr) q[at + a] = v[a] - before[a];
-    }
+  if (q != nullptr) damp_nodes<D>(p + first, q + first, records, local);
+  divide_by_mass(p + first, records, keep);
+  if (!colliders.empty()) touch_block(grid, block, p + first, colliders);
+  if (q != nullptr) subtract_from<D>(p + first, q + first, records);
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
+                                   std::vector<Collider>& colliders) {
+  Reaction* reactions = &block_reactions_[std::size_t(block) * colliders.size()];
+  for (int i = 0; i < grid.lattices() * block_node_count<D>; ++i) {
+    T* record = nodes + i * node_values;
+    if (!(record[mass_slot] > T(0))) continue;
+    const int lattice = i / block_node_count<D>;
+    const BlockCoord<D> node = grid.node(int(block), i % block_node_count<D>);
+    std::array<double, 3> x = lower_;
+    for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
+    touch_colliders(x, record[mass_slot], record, colliders, reactions);
   }
 }
 

@@ -60,6 +60,8 @@ class GridUpdate {
                    std::vector<Collider>& colliders, ThreadPool& pool);
   void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                     const GridForces& forces, std::vector<Collider>& colliders);
+  void touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
+                   std::vector<Collider>& colliders);
   void touch_colliders(const std::array<double, 3>& x, T mass, T* v,
                        std::vector<Collider>& colliders, Reaction* reactions) const;
 

@@ -6,12 +6,6 @@
 namespace scree {
 namespace {
 
-std::string place(const ParticleFault& fault) {
-  const auto& x = fault.position;
-  return fault.dimension == 2 ? fmt::format("({:.4g}, {:.4g}) m", x[0], x[1])
-                              : fmt::format("({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[2]);
-}
-
 std::string inadmissible(const ParticleFault& fault) {
   if (fault.inadmissible) {
     return fmt::format("{} (volume ratio J = {:.3g}); {}", fault.inadmissible->what, fault.value,
@@ -54,9 +48,15 @@ std::string with_key_in_force(std::string text, bool fixed_step) {
 
 }  // namespace
 
+std::string place_text(const double* x, int dimension) {
+  return dimension == 2 ? fmt::format("({:.4g}, {:.4g}) m", x[0], x[1])
+                        : fmt::format("({:.4g}, {:.4g}, {:.4g}) m", x[0], x[1], x[2]);
+}
+
 std::string fault_text(const ParticleFault& fault) {
   return fmt::format("step {}: particle {} ({}) at {} {}", fault.step, fault.id, fault.material,
-                     place(fault), with_key_in_force(what(fault), fault.fixed_step));
+                     place_text(fault.position.data(), fault.dimension),
+                     with_key_in_force(what(fault), fault.fixed_step));
 }
 
 std::string mass_fault_text(std::int64_t step, double grid_mass, double particle_mass) {

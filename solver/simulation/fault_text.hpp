@@ -24,6 +24,9 @@ struct ParticleFault {
   std::array<double, 3> position{};  ///< [m]
 };
 
+/// "(0.1, 0.2) m"; x: `dimension` coordinates [m].
+std::string place_text(const double* x, int dimension);
+
 /// One sentence: step, particle, place, what happened, what to do.
 std::string fault_text(const ParticleFault& fault);
 

@@ -3,16 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "solver/simulation/fault_text.hpp"
+
 namespace scree {
 namespace {
 
 std::string particles(const StepLimit& limit) {
   if (limit.name.empty()) return "the particles";
-  const auto& x = limit.place;
-  return limit.dimension == 2
-             ? fmt::format("particles of {} near ({:.4g}, {:.4g}) m", limit.name, x[0], x[1])
-             : fmt::format("particles of {} near ({:.4g}, {:.4g}, {:.4g}) m", limit.name, x[0],
-                           x[1], x[2]);
+  return fmt::format("particles of {} near {}", limit.name,
+                     place_text(limit.place.data(), limit.dimension));
 }
 
 }  // namespace

@@ -10,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "solver/transfer/compact.hpp"
+#include "solver/transfer/quadratic.hpp"
+
 namespace scree::benchmarks {
 
 void add_transfers();
@@ -38,6 +41,26 @@ inline void count(benchmark::State& state, int items, const std::string& item) {
   state.SetItemsProcessed(state.iterations() * items);
   state.counters["time/" + item] =
       Counter(items, Counter::kIsIterationInvariantRate | Counter::kInvert);
+}
+
+/// f.template operator()<Kernel, D, T>() for both kernels with affine transfers, both dimensions
+/// and precisions.
+template <class F>
+void for_every_kind(F f) {
+  const auto both_kernels = [&]<int D, class T> {
+    f.template operator()<Compact, D, T>();
+    f.template operator()<Quadratic, D, T>();
+  };
+  both_kernels.template operator()<2, float>();
+  both_kernels.template operator()<2, double>();
+  both_kernels.template operator()<3, float>();
+  both_kernels.template operator()<3, double>();
+}
+
+/// "/compact/3d/float"
+template <class Kernel, int D, class T>
+std::string kind_name() {
+  return std::string("/") + Kernel::name + "/" + std::to_string(D) + "d/" + real_name<T>;
 }
 
 }  // namespace scree::benchmarks

@@ -9,8 +9,6 @@
 #include "materials/typical_input.hpp"
 #include "solver/exec/cpu_group.hpp"
 #include "solver/step/block_bodies.hpp"
-#include "solver/transfer/compact.hpp"
-#include "solver/transfer/quadratic.hpp"
 #include "verification/benchmark/benchmarks.hpp"
 #include "verification/support/block_scene.hpp"
 
@@ -65,8 +63,7 @@ class FusedBlock {
 
 template <class Material, class Kernel, int D, class T>
 void add_fused_block() {
-  add(std::string("g2p2g_block/") + Material::name + "/" + Kernel::name + "/" + std::to_string(D) +
-          "d/" + real_name<T>,
+  add(std::string("g2p2g_block/") + Material::name + kind_name<Kernel, D, T>(),
       [](benchmark::State& state) {
         FusedBlock<Material, Kernel, D, T> block;
         for (auto _ : state) block.pass();

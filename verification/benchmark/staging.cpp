@@ -3,8 +3,6 @@
 // Copies between grid and arena for one block whose grid values are in the cache: what remains of
 // the cost a block when nothing waits for memory.
 #include "solver/exec/cpu_group.hpp"
-#include "solver/transfer/compact.hpp"
-#include "solver/transfer/quadratic.hpp"
 #include "verification/benchmark/benchmarks.hpp"
 #include "verification/support/block_scene.hpp"
 
@@ -35,15 +33,14 @@ class Load {
 /// f(group) for each block.
 template <class Kernel, int D, class T, class F>
 void add_copy(const std::string& name, F f) {
-  add(name + "/" + Kernel::name + "/" + std::to_string(D) + "d/" + real_name<T>,
-      [f](benchmark::State& state) {
-        Load<Kernel, D, T> load;
-        for (auto _ : state) {
-          f(load.group());
-          benchmark::ClobberMemory();
-        }
-        count(state, 1, "block");
-      });
+  add(name + kind_name<Kernel, D, T>(), [f](benchmark::State& state) {
+    Load<Kernel, D, T> load;
+    for (auto _ : state) {
+      f(load.group());
+      benchmark::ClobberMemory();
+    }
+    count(state, 1, "block");
+  });
 }
 
 template <class Kernel, int D, class T>
@@ -53,19 +50,10 @@ void add_kernel() {
   add_copy<Kernel, D, T>("clear", [](auto& group) { group.clear(0); });
 }
 
-template <int D, class T>
-void add_kernels() {
-  add_kernel<Compact, D, T>();
-  add_kernel<Quadratic, D, T>();
-}
-
 }  // namespace
 
 void add_staging() {
-  add_kernels<2, float>();
-  add_kernels<2, double>();
-  add_kernels<3, float>();
-  add_kernels<3, double>();
+  for_every_kind([]<class Kernel, int D, class T> { add_kernel<Kernel, D, T>(); });
 }
 
 }  // namespace scree::benchmarks

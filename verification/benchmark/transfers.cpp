@@ -3,8 +3,6 @@
 // Gather and scatter of some batches on one arena, everything in the first caches; without the
 // prefetches for other blocks that the solver's scatter interleaves.
 #include "solver/exec/cpu_group.hpp"
-#include "solver/transfer/compact.hpp"
-#include "solver/transfer/quadratic.hpp"
 #include "verification/benchmark/benchmarks.hpp"
 #include "verification/support/block_scene.hpp"
 
@@ -75,8 +73,7 @@ class Load {
 
 template <class Kernel, int D, class T>
 void add_kernel() {
-  const std::string kind =
-      std::string("/") + Kernel::name + "/" + std::to_string(D) + "d/" + real_name<T>;
+  const std::string kind = kind_name<Kernel, D, T>();
   add("gather_affine" + kind, [](benchmark::State& state) {
     Load<Kernel, D, T> load;
     for (auto _ : state) load.gather();
@@ -89,19 +86,10 @@ void add_kernel() {
   });
 }
 
-template <int D, class T>
-void add_kernels() {
-  add_kernel<Compact, D, T>();
-  add_kernel<Quadratic, D, T>();
-}
-
 }  // namespace
 
 void add_transfers() {
-  add_kernels<2, float>();
-  add_kernels<2, double>();
-  add_kernels<3, float>();
-  add_kernels<3, double>();
+  for_every_kind([]<class Kernel, int D, class T> { add_kernel<Kernel, D, T>(); });
 }
 
 }  // namespace scree::benchmarks

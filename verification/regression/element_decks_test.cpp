@@ -9,21 +9,13 @@
 #include "app/element_command.hpp"
 #include "materials/registry.hpp"
 #include "solver/element/element_test.hpp"
+#include "verification/support/example_decks.hpp"
 #include "verification/support/temporary_folder.hpp"
 
 namespace scree {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> decks() {
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(SCREE_SOURCE_DIR "/inputs/element")) {
-    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
 
 /// The law that a deck's name begins with, or null where this build lacks it.
 const MaterialEntry* law_of(const fs::path& deck) {
@@ -35,7 +27,7 @@ const MaterialEntry* law_of(const fs::path& deck) {
 
 TEST(ElementDecks, EveryLawHasOne) {
   std::set<std::string> driven;
-  for (const fs::path& deck : decks()) {
+  for (const fs::path& deck : testing::decks_below("element")) {
     if (const MaterialEntry* law = law_of(deck)) driven.insert(law->name);
   }
   for (const MaterialEntry& law : material_registry()) {
@@ -45,7 +37,7 @@ TEST(ElementDecks, EveryLawHasOne) {
 
 TEST(ElementDecks, EveryDeckRunsToItsEnd) {
   const TemporaryFolder folder;
-  for (const fs::path& deck : decks()) {
+  for (const fs::path& deck : testing::decks_below("element")) {
     if (law_of(deck) == nullptr) continue;
     SCOPED_TRACE(deck.filename());
     ElementOptions options;
@@ -63,7 +55,7 @@ TEST(ElementDecks, EveryDeckRunsToItsEnd) {
 }
 
 TEST(ElementDecks, StatesStayInsideTheYieldSurface) {
-  for (const fs::path& path : decks()) {
+  for (const fs::path& path : testing::decks_below("element")) {
     if (law_of(path) == nullptr) continue;
     SCOPED_TRACE(path.filename());
     Problems problems;

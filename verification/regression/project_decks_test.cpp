@@ -3,9 +3,8 @@
 // steps.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "solver/deck/deck.hpp"
+#include "verification/support/example_decks.hpp"
 #include "verification/support/process.hpp"
 #include "verification/support/temporary_folder.hpp"
 
@@ -16,14 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Decks of `scree element` are of another kind.
 std::vector<fs::path> decks() {
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::recursive_directory_iterator(SCREE_SOURCE_DIR "/inputs")) {
-    if (entry.path().extension() != ".toml") continue;
-    if (entry.path().parent_path().filename() == "element") continue;  // another kind of deck
-    paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
+  std::vector<fs::path> paths = testing::decks_below("");
+  std::erase_if(paths, [](const fs::path& p) { return p.parent_path().filename() == "element"; });
   return paths;
 }
 

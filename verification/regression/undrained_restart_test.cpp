@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "materials/initial_state.hpp"
 #include "materials/modified_cam_clay.hpp"
@@ -68,25 +69,32 @@ SimulationSetup clay_scene() {
   return setup;
 }
 
+/// A run in one go, and one that was continued from its state after seven steps.
+struct TwoRuns {
+  std::unique_ptr<Simulation> whole, resumed;
+  MemoryArchive middle, end, resumed_end;
+};
+
+TwoRuns run_twice(const SimulationSetup& setup) {
+  TwoRuns runs{Simulation::create(setup), Simulation::create(setup), {}, {}, {}};
+  for (int n = 0; n < 7; ++n) runs.whole->step();
+  runs.whole->save(runs.middle);
+  runs.resumed->load(runs.middle);
+  run(*runs.whole, setup.schedule);
+  run(*runs.resumed, setup.schedule);
+  runs.whole->save(runs.end);
+  runs.resumed->save(runs.resumed_end);
+  return runs;
+}
+
 class UndrainedRestart : public ::testing::TestWithParam<Method> {};
 
 TEST_P(UndrainedRestart, continues_bit_for_bit) {
   for (const int dimension : {2, 3}) {
-    const SimulationSetup setup = scene(dimension, GetParam());
-    const auto whole = Simulation::create(setup);
-    for (int n = 0; n < 7; ++n) whole->step();
-    MemoryArchive middle;
-    whole->save(middle);
-    const auto resumed = Simulation::create(setup);
-    resumed->load(middle);
-    run(*whole, setup.schedule);
-    run(*resumed, setup.schedule);
-    MemoryArchive end, resumed_end;
-    whole->save(end);
-    resumed->save(resumed_end);
-    EXPECT_TRUE(end == resumed_end) << dimension;
-    EXPECT_EQ(whole->particles({"effective_stress"}).fields[0].values[0],
-              resumed->particles({"effective_stress"}).fields[0].values[0]);
+    const TwoRuns runs = run_twice(scene(dimension, GetParam()));
+    EXPECT_TRUE(runs.end == runs.resumed_end) << dimension;
+    EXPECT_EQ(runs.whole->particles({"effective_stress"}).fields[0].values[0],
+              runs.resumed->particles({"effective_stress"}).fields[0].values[0]);
   }
 }
 
@@ -100,20 +108,9 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return to_string(info.param); });
 
 TEST(GroundRestart, clay_with_a_state_of_its_own_in_every_particle) {
-  const SimulationSetup setup = clay_scene();
-  const auto whole = Simulation::create(setup);
-  for (int n = 0; n < 7; ++n) whole->step();
-  MemoryArchive middle;
-  whole->save(middle);
-  const auto resumed = Simulation::create(setup);
-  resumed->load(middle);
-  run(*whole, setup.schedule);
-  run(*resumed, setup.schedule);
-  MemoryArchive end, resumed_end;
-  whole->save(end);
-  resumed->save(resumed_end);
-  EXPECT_TRUE(end == resumed_end);
-  EXPECT_FALSE(end == middle);
+  const TwoRuns runs = run_twice(clay_scene());
+  EXPECT_TRUE(runs.end == runs.resumed_end);
+  EXPECT_FALSE(runs.end == runs.middle);
 }
 
 struct Fields {

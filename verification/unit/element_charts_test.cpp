@@ -7,19 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verification/support/example_decks.hpp"
+
 namespace scree {
 namespace {
 
 /// The diagrams of a deck of inputs/element; none where this build lacks the law.
 std::vector<Chart> charts_of(const std::string& name,
                              const std::vector<std::string>& overrides = {}) {
-  Problems problems;
-  const std::string path = std::string(SCREE_SOURCE_DIR) + "/inputs/element/" + name + ".toml";
-  const ElementDeck deck = read_element_deck(path, overrides, problems);
-  const std::string text = problems.text();
-  if (text.find("not available in this") != std::string::npos) return {};
-  EXPECT_EQ(text, "");
-  return problems.empty() ? element_charts(deck, drive_element(deck)) : std::vector<Chart>{};
+  const auto deck = testing::element_example(name, overrides);
+  return deck ? element_charts(*deck, drive_element(*deck)) : std::vector<Chart>{};
 }
 
 #define SKIP_WITHOUT_LAW(charts)                            \

@@ -7,6 +7,7 @@
 
 #include "materials/registry.hpp"
 #include "solver/element/element_test.hpp"
+#include "verification/support/example_decks.hpp"
 
 namespace scree {
 namespace {
@@ -16,13 +17,8 @@ constexpr double exact = 1e-9;
 
 /// Drives a deck of inputs/element; an empty table where this build lacks the law.
 ElementResult drive(const std::string& name, const std::vector<std::string>& overrides = {}) {
-  Problems problems;
-  const std::string path = std::string(SCREE_SOURCE_DIR) + "/inputs/element/" + name + ".toml";
-  const ElementDeck deck = read_element_deck(path, overrides, problems);
-  const std::string text = problems.text();
-  if (text.find("not available in this") != std::string::npos) return {};
-  EXPECT_EQ(text, "");
-  return problems.empty() ? drive_element(deck) : ElementResult{};
+  const auto deck = testing::element_example(name, overrides);
+  return deck ? drive_element(*deck) : ElementResult{};
 }
 
 #define SKIP_WITHOUT_LAW(result)                                 \
