@@ -156,10 +156,11 @@ void Run::open_files() {
 }
 
 RunEnd Run::advance() {
-  progress_ = std::make_unique<Progress>(stdout, progress_style(stdout, options_.quiet),
-                                         simulation_->time(), deck_.time.end, wall_clock);
   RunLimits limits;
   if (options_.until) limits.until = *options_.until;
+  progress_ = std::make_unique<Progress>(stdout, progress_style(stdout, options_.quiet),
+                                         simulation_->time(),
+                                         std::min(deck_.time.end, limits.until), wall_clock);
   if (options_.max_steps) limits.max_steps = *options_.max_steps;
   limits.stop_asked = [] { return StopSignals::received() != 0; };
   return run_loop(*simulation_, schedule_, *recorder_, limits, [this] { after_step(); });

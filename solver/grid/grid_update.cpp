@@ -55,20 +55,34 @@ void divide_by_mass(T* nodes, std::size_t count, T keep) {
   }
 }
 
-/// Local damping of momenta p with all impulses; those before forces, q, become velocities.
+/// Momenta q, of nodes whose masses stand in p, become velocities.
 template <int D, class T>
-void damp_nodes(T* p, T* q, std::size_t count, T local) {
+void divide_by_mass_of(const T* p, T* q, std::size_t count) {
   for (std::size_t i = 0; i < count * node_values; i += node_values) {
     const T mass = p[i + mass_slot];
-    for (int a = 0; a < D; ++a) {
-      T& momentum = p[i + a];
-      const T old = q[i + a];
-      // Cundall: a fraction of the out-of-balance force opposes the velocity.
-      const T damping = local * std::abs(momentum - old);
-      if (local > T(0)) momentum -= old > T(0) ? damping : old < T(0) ? -damping : T(0);
-      q[i + a] = mass > T(0) ? old / mass : T(0);
-    }
+    for (int a = 0; a < D; ++a) q[i + a] = mass > T(0) ? q[i + a] / mass : T(0);
   }
+}
+
+/// Cundall's damping: a fraction of the unbalanced force opposes the velocity before it. What
+/// colliders at x hold of the velocity stays as it is: their force is part of the balance there.
+template <int D, class T>
+void damp_node(T* v, const T* before, T fraction, const std::array<double, 3>& x,
+               const std::vector<const Collider*>& holding) {
+  double change[3] = {0, 0, 0};
+  for (int a = 0; a < D; ++a) {
+    if (v[a] == T(0)) continue;  // held at rest by a wall: in balance
+    const double damping = double(fraction * std::abs(v[a] - before[a]));
+    change[a] = before[a] > T(0) ? -damping : before[a] < T(0) ? damping : 0.0;
+  }
+  for (const Collider* collider : holding) {
+    if (collider->contact() == ContactType::sticky) return;
+    const Vec3<double> normal = collider->normal(x.data());
+    double along = 0;
+    for (int a = 0; a < D; ++a) along += change[a] * normal[a];
+    for (int a = 0; a < D; ++a) change[a] -= along * normal[a];
+  }
+  for (int a = 0; a < D; ++a) v[a] += T(change[a]);
 }
 
 /// q <- p - q: the velocity change.
@@ -273,31 +287,50 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
   const T keep =
       forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
   const T local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
-  if (q != nullptr) damp_nodes<D>(p + first, q + first, records, local);
   divide_by_mass(p + first, records, keep);
-  if (!colliders.empty()) touch_block(grid, block, p + first, colliders);
+  if (q != nullptr) divide_by_mass_of<D>(p + first, q + first, records);
+  // (m v - m v_old)/dt = f + R - m value v: R stops what the damping has left of v, and 1/keep of
+  // it.
+  if (!colliders.empty() || local > T(0))
+    touch_block(grid, block, p + first, q == nullptr ? nullptr : q + first, local, keep, colliders);
   if (q != nullptr) subtract_from<D>(p + first, q + first, records);
 }
 
 template <int D, class T>
+std::array<double, 3> GridUpdate<D, T>::position(const Grid<D, T>& grid, std::int64_t block,
+                                                 int i) const {
+  const int lattice = i / block_node_count<D>;
+  const BlockCoord<D> node = grid.node(int(block), i % block_node_count<D>);
+  std::array<double, 3> x = lower_;
+  for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
+  return x;
+}
+
+/// Local damping comes after the colliders, whose reaction is part of the unbalanced force.
+template <int D, class T>
 void GridUpdate<D, T>::touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
+                                   const T* before, T local, T keep,
                                    std::vector<Collider>& colliders) {
-  Reaction* reactions = &block_reactions_[std::size_t(block) * colliders.size()];
+  Reaction* reactions = block_reactions_.data() + std::size_t(block) * colliders.size();
+  std::vector<const Collider*> holding;
   for (int i = 0; i < grid.lattices() * block_node_count<D>; ++i) {
     T* record = nodes + i * node_values;
     if (!(record[mass_slot] > T(0))) continue;
-    const int lattice = i / block_node_count<D>;
-    const BlockCoord<D> node = grid.node(int(block), i % block_node_count<D>);
-    std::array<double, 3> x = lower_;
-    for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
-    touch_colliders(x, record[mass_slot], record, colliders, reactions);
+    std::array<double, 3> x{};
+    holding.clear();
+    if (!colliders.empty()) {
+      x = position(grid, block, i);
+      touch_colliders(x, double(record[mass_slot]) / double(keep), record, colliders, reactions,
+                      holding);
+    }
+    if (local > T(0)) damp_node<D>(record, before + i * node_values, local, x, holding);
   }
 }
 
 template <int D, class T>
-void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T* v,
-                                       std::vector<Collider>& colliders,
-                                       Reaction* reactions) const {
+void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, double mass, T* v,
+                                       std::vector<Collider>& colliders, Reaction* reactions,
+                                       std::vector<const Collider*>& holding) const {
   for (std::size_t c = 0; c < colliders.size(); ++c) {
     const Collider& collider = colliders[c];
     if (!collider.touches(x.data())) continue;
@@ -308,10 +341,13 @@ void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T
     Vec3<double> impulse{};
     Vec3<double> arm{};
     const Vec3<double> centre = collider.reference_point();
+    bool holds = false;
     for (int a = 0; a < D; ++a) {
-      impulse[a] = double(mass) * (old[a] - now[a]);
+      impulse[a] = mass * (old[a] - now[a]);
+      holds = holds || old[a] != now[a];
       v[a] = T(now[a]);
     }
+    if (holds) holding.push_back(&collider);
     for (int a = 0; a < 3; ++a) arm[a] = x[a] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);
     for (int a = 0; a < 3; ++a) {

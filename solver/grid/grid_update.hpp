@@ -20,7 +20,8 @@ struct GridForces {
   bool separate_force = false;  ///< channel 1 holds impulses, channel 0 momenta before forces
 };
 
-/// Force and torque (about its reference point) on a collider in a step.
+/// Force and torque (about its reference point) on a collider in a step: what the material exerts,
+/// whatever damping there is.
 struct Reaction {
   std::array<double, 3> force{};   ///< [N] (2D: N/m)
   std::array<double, 3> torque{};  ///< [N m] (2D: N)
@@ -60,10 +61,14 @@ class GridUpdate {
                    std::vector<Collider>& colliders, ThreadPool& pool);
   void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                     const GridForces& forces, std::vector<Collider>& colliders);
-  void touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
-                   std::vector<Collider>& colliders);
-  void touch_colliders(const std::array<double, 3>& x, T mass, T* v,
-                       std::vector<Collider>& colliders, Reaction* reactions) const;
+  /// Of a node of the block, by its record, m.
+  std::array<double, 3> position(const Grid<D, T>& grid, std::int64_t block, int i) const;
+  void touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes, const T* before, T local,
+                   T keep, std::vector<Collider>& colliders);
+  /// `holding` gets the colliders that changed the velocity v.
+  void touch_colliders(const std::array<double, 3>& x, double mass, T* v,
+                       std::vector<Collider>& colliders, Reaction* reactions,
+                       std::vector<const Collider*>& holding) const;
 
   GridDomain<D> domain_;
   Faces<D> faces_;

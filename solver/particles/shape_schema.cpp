@@ -9,6 +9,24 @@ namespace scree {
 
 namespace {
 
+/// Of polygons and planes.
+void flat_keys(Schema<ShapeSpec>& s) {
+  s.points("points", &ShapeSpec::points)
+      .when("type", {"polygon"})
+      .doc("Corners in the x-y plane, in either sense of rotation.");
+  s.vector("z", &ShapeSpec::z, Unit::length)
+      .length(2)
+      .in_dimension(3)
+      .when("type", {"polygon"})
+      .doc("Heights between which the polygon is extruded.");
+  s.vector("point", &ShapeSpec::point, Unit::length)
+      .when("type", {"plane"})
+      .doc("A point of the plane.");
+  s.vector("normal", &ShapeSpec::normal)
+      .when("type", {"plane"})
+      .doc("Normal out of the solid side, of any length.");
+}
+
 Schema<ShapeSpec> make_schema() {
   Schema<ShapeSpec> s("shape", "A solid region of space, combined from simple ones.");
   s.choice("type", &ShapeSpec::kind, shape_kind_names())
@@ -29,20 +47,7 @@ Schema<ShapeSpec> make_schema() {
       .above(0)
       .when("type", {"sphere", "cylinder"})
       .doc("Radius.");
-  s.points("points", &ShapeSpec::points)
-      .when("type", {"polygon"})
-      .doc("Corners in the x-y plane, in either sense of rotation.");
-  s.vector("z", &ShapeSpec::z, Unit::length)
-      .length(2)
-      .in_dimension(3)
-      .when("type", {"polygon"})
-      .doc("Heights between which the polygon is extruded.");
-  s.vector("point", &ShapeSpec::point, Unit::length)
-      .when("type", {"plane"})
-      .doc("A point of the plane.");
-  s.vector("normal", &ShapeSpec::normal)
-      .when("type", {"plane"})
-      .doc("Normal out of the solid side, of any length.");
+  flat_keys(s);
   s.list("of", &ShapeSpec::of, &shape_schema)
       .when("type", {"union", "difference", "intersection"})
       .doc("The parts; a difference is the first less all the others.");

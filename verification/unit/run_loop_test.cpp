@@ -284,7 +284,8 @@ TEST_F(RunLoopTest, ResumeNamesWhatChanged) {
   };
   EXPECT_EQ(refusal(identity), "accepted");
   EXPECT_EQ(refusal({"[time]\nend = 2\n", "cpu", "0.1.0"}), "accepted");
-  EXPECT_NE(refusal({"[time]\nend = 0.5\n", "cpu", "0.1.0"}).find("time.end = 0.5 (was 1)"),
+  EXPECT_NE(refusal({"[time]\nend = 0.5\n", "cpu", "0.1.0"})
+                .find("time.end = 0.5 (was 1; to stop earlier use --until 0.5)"),
             std::string::npos);
   EXPECT_NE(refusal({"[time]\nend = 1\ncfl = 0.3\n", "cpu", "0.1.0"})
                 .find("time.cfl = 0.3 (was not given)"),
