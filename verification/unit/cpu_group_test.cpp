@@ -344,6 +344,12 @@ void expect_transposed() {
   }
   Transpose::to_lanes(records, back);
   for (int i = 0; i < count; ++i) EXPECT_EQ(back[i], quantities[i]);
+  Transpose::to_quads(quantities, records);
+  for (int l = 0; l < width; ++l) {
+    for (int q = 0; q < 4; ++q) {
+      EXPECT_EQ(records[Transpose::quad_place(l) + q], T(100 * q + l)) << "lane " << l;
+    }
+  }
 }
 
 TEST(LaneTranspose, TurnsQuantitiesIntoRecordsAndBack) {
