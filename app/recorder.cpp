@@ -46,9 +46,12 @@ Recorder::Recorder(const RunFolder& folder, OutputSpec output, bool checkpoints,
       output_(std::move(output)),
       checkpoints_(checkpoints),
       schedule_(schedule),
-      identity_(std::move(identity)),
-      particles_(folder.path(), "particles", output_.precision),
-      grid_(folder.path(), "grid", output_.precision) {}
+      identity_(std::move(identity)) {
+  if (output_.format == FrameFormat::none) return;
+  const std::size_t frames = schedule_.frame_count();
+  particles_ = make_frame_series(folder_, "particles", output_, frames);
+  if (output_.grid) grid_ = make_frame_series(folder_, "grid", output_, frames);
+}
 
 void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names) {
   history_ = HistoryWriter::create(history_path_, collider_names);
@@ -62,14 +65,14 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
   saved_time_ = time;
   // What is due here was taken before the checkpoint.
   take_events(time);
-  particles_.resume(checkpoint.get<double>("run/particle_frame_times"));
-  grid_.resume(checkpoint.get<double>("run/grid_frame_times"));
+  if (particles_) particles_->resume(checkpoint, "run/particle_frame_");
+  if (grid_) grid_->resume(checkpoint, "run/grid_frame_");
   history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count());
   history_time_ = time;
 }
 
 Recorder::Events Recorder::take_events(double time) {
-  const bool frames = schedule_.frame_due(time) && output_.format != FrameFormat::none;
+  const bool frames = schedule_.frame_due(time) && particles_;
   return {
       is_new(row_event_, schedule_.history_due(time), schedule_.history_event(time)),
       is_new(frame_event_, frames, schedule_.frame_event(time)),
@@ -96,11 +99,11 @@ void Recorder::take_row(const Simulation& simulation) {
 void Recorder::take_frames(const Simulation& simulation) {
   queue_.wait_for_room(JobSize::large);
   std::vector<GridSnapshot> lattices;
-  if (output_.grid) lattices = simulation.grid();
+  if (grid_) lattices = simulation.grid();
   queue_.add(JobSize::large, [this, particles = simulation.particles(output_.fields),
                               lattices = std::move(lattices)] {
-    particles_.add(particles);
-    grid_.add(lattices);  // nothing where there is none
+    particles_->add(particles);
+    if (grid_) grid_->add(lattices);
   });
 }
 
@@ -127,8 +130,8 @@ void Recorder::write_checkpoint(const StateBuffer& state, double time) {
   out.put_text("run/deck", identity_.deck);
   out.put_text("run/backend", identity_.backend);
   out.put_text("run/version", identity_.version);
-  out.put("run/particle_frame_times", particles_.times());
-  out.put("run/grid_frame_times", grid_.times());
+  if (particles_) particles_->save(out, "run/particle_frame_");
+  if (grid_) grid_->save(out, "run/grid_frame_");
   state.replay(out);
   out.commit();
   saved_time_ = time;
@@ -144,8 +147,8 @@ std::string Recorder::kept() {
   queue_.drain();
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-  if (!particles_.times().empty()) {
-    add(fmt::format("{} (t = {:.6g} s)", particles_.last_file(), particles_.times().back()));
+  if (particles_ && !particles_->times().empty()) {
+    add(fmt::format("{} (t = {:.6g} s)", particles_->last_file(), particles_->times().back()));
   }
   if (history_time_) add(fmt::format("history.csv (to t = {:.6g} s)", *history_time_));
   if (saved_time_) add(fmt::format("checkpoint.h5 (t = {:.6g} s)", *saved_time_));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,7 +81,7 @@ class Recorder {
   double seconds_ = 0;
 
   // From start() or resume() on only jobs use these; others may after the queue was drained.
-  FrameSeries particles_, grid_;
+  std::unique_ptr<FrameSeries> particles_, grid_;  ///< null without frames
   std::optional<HistoryWriter> history_;
   std::optional<double> history_time_, saved_time_;  ///< s, of the last row and checkpoint
 

@@ -207,7 +207,8 @@ void Run::update_record() {
 
 std::string Run::files() const {
   std::string text = "resolved.toml, run.json";
-  for (const char* name : {"history.csv", "particles.pvd", "grid.pvd", "checkpoint.h5"}) {
+  for (const char* name : {"history.csv", "particles.pvd", "particles.xdmf", "grid.pvd",
+                           "grid.xdmf", "checkpoint.h5"}) {
     if (fs::exists(path_ / name)) text += std::string(", ") + name;
   }
   return text;

@@ -20,7 +20,7 @@ namespace {
 
 /// The files a run leaves in its folder, and in frames/ below; ".tmp" where it was killed.
 const std::regex own_file(
-    R"((resolved\.toml|run\.json|history\.csv|particles\.pvd|grid\.pvd|checkpoint\.h5)(\.tmp)?)");
+    R"((resolved\.toml|run\.json|history\.csv|(particles|grid)\.(pvd|xdmf|h5)|checkpoint\.h5)(\.tmp)?)");
 const std::regex own_frame(R"((particles|grid(_minus|_plus)?)_[0-9]{6,}\.vt[ui](\.tmp)?)");
 
 bool holds_run(const fs::path& path) {

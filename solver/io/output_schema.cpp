@@ -10,14 +10,23 @@ Schema<OutputSpec> make_output_schema() {
       .above(0)
       .fallback_text("time.end")
       .doc("Time between frames; the first frame is t = 0, the last time.end.");
-  s.choice("format", &OutputSpec::format, {{"vtu", FrameFormat::vtu}, {"none", FrameFormat::none}})
-      .later({"xdmf"})
+  s.choice("format", &OutputSpec::format,
+           {{"vtu", FrameFormat::vtu}, {"xdmf", FrameFormat::xdmf}, {"none", FrameFormat::none}})
       .fallback(FrameFormat::vtu)
-      .doc("vtu: VTK unstructured grids with a .pvd series; none: no frames.");
+      .doc(
+          "vtu: one VTK file a frame and a .pvd series of them; xdmf: all frames in one HDF5 file "
+          "and an .xdmf index of it, for long and large runs; none: no frames.");
   s.choice("precision", &OutputSpec::precision,
            {{"single", FramePrecision::single_}, {"double", FramePrecision::double_}})
       .fallback(FramePrecision::single_)
       .doc("Floating-point type of the fields in the frames; positions are always double.");
+  s.choice("compression", &OutputSpec::compression,
+           {{"none", FrameCompression::none}, {"deflate", FrameCompression::deflate}})
+      .when("format", {"xdmf"})
+      .fallback(FrameCompression::none)
+      .doc(
+          "deflate: the arrays are packed (level 1), which makes the file smaller and writing "
+          "slower.");
   s.texts("fields", &OutputSpec::fields)
       .fallback({"velocity", "stress"})
       .doc(
@@ -25,7 +34,7 @@ Schema<OutputSpec> make_output_schema() {
           "volume, displacement, the history fields of the materials in use, and with pore water "
           "pore_pressure and effective_stress. pressure is the mean of stress; both are total "
           "where there is pore water.");
-  s.flag("grid", &OutputSpec::grid).fallback(false).doc("Also writes the grid (.vti).");
+  s.flag("grid", &OutputSpec::grid).fallback(false).doc("Also writes the nodes of the grid.");
   return s;
 }
 

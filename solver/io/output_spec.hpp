@@ -10,15 +10,17 @@
 
 namespace scree {
 
-enum class FrameFormat { vtu, none };
+enum class FrameFormat { vtu, xdmf, none };
 enum class FramePrecision { single_, double_ };
+enum class FrameCompression { none, deflate };
 
 /// `[output]`: frames of particles and grid. The first is t = 0, the last time.end.
 struct OutputSpec {
   double every = std::numeric_limits<double>::quiet_NaN();  ///< s; default time.end
   FrameFormat format = FrameFormat::vtu;
   FramePrecision precision = FramePrecision::single_;
-  std::vector<std::string> fields;  ///< besides id, material and body
+  FrameCompression compression = FrameCompression::none;  ///< xdmf only
+  std::vector<std::string> fields;                        ///< besides id, material and body
   bool grid = false;
 };
 

@@ -24,6 +24,13 @@ double Schedule::event(int stream, double t) const {
   return every > 0 ? std::round(t / every) * every : 0;
 }
 
+std::size_t Schedule::frame_count() const {
+  const double every = interval_[1];
+  if (!(every > 0)) return 2;
+  constexpr double most = 1e9;  // nobody writes more; a count stays a count
+  return static_cast<std::size_t>(std::min(most, std::ceil(end_ / every * (1 - same_event)))) + 1;
+}
+
 bool Schedule::at_end(double t) const { return std::abs(t - end_) <= same_event * end_; }
 
 double Schedule::next_event(double t) const {

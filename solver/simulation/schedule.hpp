@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace scree {
 
@@ -28,6 +29,8 @@ class Schedule {
   double history_event(double t) const { return event(0, t); }
   double frame_event(double t) const { return event(1, t); }
   double checkpoint_event(double t) const { return event(2, t); }
+  /// Frames of the whole run, the first and the last included.
+  std::size_t frame_count() const;
   /// The first event after t, at most the end; the end itself once it is reached.
   double next_event(double t) const;
 
