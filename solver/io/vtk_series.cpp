@@ -19,15 +19,18 @@ namespace {
 
 constexpr const char* frames_folder = "frames";
 
-/// The number of the frame in a file name `series`[_lattice]_NNNNNN.vt?, if it is one.
+/// The number of the frame in a file name `series`_NNNNNN.vtu or `series`_[lattice_]NNNNNN.vti, if
+/// it is one. Names of other series may begin with that of this one.
 std::optional<std::size_t> frame_number(const std::string& file, const std::string& series) {
-  const std::size_t dot = file.rfind('.');
-  const std::size_t underscore = file.rfind('_', dot);
-  if (!file.starts_with(series + "_") || dot == std::string::npos) return std::nullopt;
-  if (file.substr(dot) != ".vtu" && file.substr(dot) != ".vti") return std::nullopt;
+  if (!file.starts_with(series + "_")) return std::nullopt;
+  std::string rest = file.substr(series.size() + 1);
+  for (const std::string lattice : {"minus_", "plus_"}) {
+    if (rest.starts_with(lattice) && rest.ends_with(".vti")) rest = rest.substr(lattice.size());
+  }
+  if (!rest.ends_with(".vtu") && !rest.ends_with(".vti")) return std::nullopt;
   std::size_t number = 0;
-  const char* end = file.data() + dot;
-  const auto result = std::from_chars(file.data() + underscore + 1, end, number);
+  const char* end = rest.data() + rest.size() - 4;
+  const auto result = std::from_chars(rest.data(), end, number);
   if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
   return number;
 }
@@ -71,8 +74,11 @@ void VtkSeries::resume(const std::vector<double>& times) {
   std::vector<fs::path> later;
   for (const auto& entry : fs::directory_iterator(folder_ / frames_folder)) {
     const std::string file = entry.path().filename().string();
-    const std::optional<std::size_t> number = frame_number(file, name_);
-    if (file.starts_with(name_ + "_") && file.ends_with(".tmp")) later.push_back(entry.path());
+    const bool half = file.ends_with(".tmp");  // left by a kill
+    const std::optional<std::size_t> number =
+        frame_number(half ? file.substr(0, file.size() - 4) : file, name_);
+    if (half && number) later.push_back(entry.path());
+    if (half) continue;
     if (!number) continue;
     if (*number < times.size()) {
       found[*number].push_back(std::string(frames_folder) + "/" + file);

@@ -173,7 +173,7 @@ void XdmfSeries::add(const std::vector<GridSnapshot>& lattices) {
       entry_begin, times_.size(), first.time);
   for (std::size_t l = 0; l < lattices.size(); ++l) {
     const GridSnapshot& lattice = lattices[l];
-    // XDMF counts axes from z to x, but origin and spacing here from x to z, as ParaView reads it.
+    // XDMF counts axes from z to x, those of origin and spacing too.
     entry += fmt::format(
         "        <Grid Name=\"{}\" GridType=\"Uniform\">\n"
         "          <Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"

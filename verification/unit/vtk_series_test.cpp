@@ -70,6 +70,7 @@ TEST_F(VtkSeriesTest, ResumeCutsBackAndGoesOn) {
   }
   write_text(folder_ / "frames/particles_000003.vtu.tmp", "half a frame, left by a kill");
   write_text(folder_ / "frames/particles_of_mine.vtu", "not ours");
+  write_text(folder_ / "frames/particles_grid_minus_000005.vti", "of another series");
   VtkSeries series(folder_.path(), "particles", FramePrecision::single_);
   series.resume({0.0, 0.1});
   EXPECT_EQ(read("particles.pvd"), after_two);
@@ -77,6 +78,7 @@ TEST_F(VtkSeriesTest, ResumeCutsBackAndGoesOn) {
   EXPECT_FALSE(exists("frames/particles_000002.vtu"));
   EXPECT_FALSE(exists("frames/particles_000003.vtu.tmp"));
   EXPECT_TRUE(exists("frames/particles_of_mine.vtu"));
+  EXPECT_TRUE(exists("frames/particles_grid_minus_000005.vti"));
   series.add(sample_particles(2, 0.2));
   EXPECT_EQ(read("particles.pvd"),
             collection(entry("0", "particles_000000.vtu") + entry("0.1", "particles_000001.vtu") +
