@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <stdexcept>
 
 #include "solver/base/error.hpp"
 #include "solver/io/durable_file.hpp"
@@ -58,17 +57,16 @@ Hdf5Handle group_creation() {
 
 std::string slot_name(std::int64_t frame) { return fmt::format("frame_{:06}", frame); }
 
-std::vector<std::uint8_t> read_part(int file, std::int64_t first, std::int64_t length) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(length));
-  std::size_t got = 0;
-  while (got < bytes.size()) {
-    const ssize_t n =
-        ::pread(file, bytes.data() + got, bytes.size() - got, first + static_cast<off_t>(got));
+bool read_part(int file, std::int64_t first, std::uint8_t* bytes, std::int64_t length) {
+  while (length > 0) {
+    const ssize_t n = ::pread(file, bytes, static_cast<std::size_t>(length), first);
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) throw RunFault("cannot read back what was written");
-    got += static_cast<std::size_t>(n);
+    if (n <= 0) return false;
+    bytes += n;
+    first += n;
+    length -= n;
   }
-  return bytes;
+  return true;
 }
 
 bool write_part(int file, std::int64_t first, const std::uint8_t* bytes, std::int64_t length) {
@@ -216,10 +214,15 @@ struct FrameFile::File {
   }
 
   void remember() {
-    state.bytes.clear();
+    std::size_t total = 0;
+    for (std::size_t r = 1; r < state.regions.size(); r += 2) {
+      total += static_cast<std::size_t>(state.regions[r]);
+    }
+    state.bytes.resize(total);
+    std::uint8_t* next = state.bytes.data();
     for (std::size_t r = 0; r < state.regions.size(); r += 2) {
-      const auto part = read_part(bytes.get(), state.regions[r], state.regions[r + 1]);
-      state.bytes.insert(state.bytes.end(), part.begin(), part.end());
+      if (!read_part(bytes.get(), state.regions[r], next, state.regions[r + 1])) fail(errno);
+      next += state.regions[r + 1];
     }
   }
 

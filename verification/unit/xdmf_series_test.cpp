@@ -14,7 +14,7 @@
 #include "verification/support/file_size_limit.hpp"
 #include "verification/support/sample_snapshot.hpp"
 #include "verification/support/temporary_folder.hpp"
-#include "verification/support/write_watch.hpp"
+#include "verification/unit/write_watch.hpp"
 
 namespace scree {
 namespace {

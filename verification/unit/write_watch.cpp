@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "verification/support/write_watch.hpp"
+#include "verification/unit/write_watch.hpp"
 
 #include <dlfcn.h>
 #include <sys/types.h>
