@@ -6,6 +6,7 @@
 #include "materials/registry.hpp"
 #include "solver/deck/deck.hpp"
 #include "solver/element/element_deck.hpp"
+#include "solver/simulation/particle_fields.hpp"
 
 namespace scree {
 namespace {
@@ -148,6 +149,11 @@ std::vector<Entry> shared_entries(const ReferenceSection& section) {
 
 std::vector<StateField> output_fields(const ReferenceSection& section) {
   std::vector<StateField> fields;
+  if (section.schema == &output_schema()) {
+    for (const ParticleField& field : particle_fields()) {
+      fields.push_back({field.name, field.components, field.unit, field.doc});
+    }
+  }
   const MaterialEntry* model =
       section.model ? find_material_model(section.schema->name()) : nullptr;
   if (model == nullptr) return fields;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/deck/deck.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -35,6 +36,23 @@ SchemaContext context_of(const Value& document) {
 void complete(Deck& deck) {
   if (std::isnan(deck.output.every)) deck.output.every = deck.time.end;
   if (std::isnan(deck.history.every)) deck.history.every = deck.output.every;
+  const auto set = [](double& value, double fallback) {
+    if (std::isnan(value)) value = fallback;
+  };
+  for (OutputSpec& frames : deck.frames) set(frames.every, deck.output.every);
+  for (ProbeSpec& probe : deck.probes) {
+    set(probe.every, deck.history.every);
+    set(probe.radius, deck.domain.cell_size);
+  }
+  for (ProfileSpec& profile : deck.profiles) {
+    set(profile.every, deck.history.every);
+    set(profile.radius, deck.domain.cell_size);
+  }
+  for (SectionSpec& section : deck.sections) {
+    set(section.every, deck.history.every);
+    set(section.spacing, deck.domain.cell_size);
+    set(section.thickness, section.spacing);
+  }
   deck.domain.cells = {1, 1, 1};
   for (int axis = 0; axis < deck.domain.dimension; ++axis) {
     deck.domain.cells[static_cast<std::size_t>(axis)] =
@@ -65,6 +83,17 @@ const MaterialSpec* Deck::find_material(const std::string& material) const {
     if (spec.name == material) return &spec;
   }
   return nullptr;
+}
+
+bool Deck::wants_field(const std::string& field) const {
+  const auto has = [&](const std::vector<std::string>& fields) {
+    return std::find(fields.begin(), fields.end(), field) != fields.end();
+  };
+  const auto any = [&](const auto& specs) {
+    return std::any_of(specs.begin(), specs.end(), [&](const auto& s) { return has(s.fields); });
+  };
+  const bool framed = output.format != FrameFormat::none && has(output.fields);
+  return framed || any(frames) || any(probes) || any(profiles) || any(sections);
 }
 
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides,

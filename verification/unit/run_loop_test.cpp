@@ -250,7 +250,7 @@ TEST_F(RunLoopTest, AllThatCameBeforeAFaultIsWritten) {
             1 + 251);
   const CheckpointReader checkpoint(part() / "checkpoint.h5");
   EXPECT_EQ(checkpoint.get<double>("simulation/clock").at(0), 0.5);
-  EXPECT_EQ(checkpoint.get<double>("run/particle_frame_times").size(), 6u);
+  EXPECT_EQ(checkpoint.get<double>("run/particles_frame_times").size(), 6u);
   EXPECT_EQ(recorder.kept(),
             "frames/particles_000005.vtu (t = 0.5 s), history.csv (to t = 0.5 s), checkpoint.h5 "
             "(t = 0.5 s)");
