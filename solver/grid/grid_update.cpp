@@ -2,6 +2,7 @@
 #include "solver/grid/grid_update.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "solver/boundary/contact.hpp"
 #include "solver/boundary/faces.hpp"
@@ -88,8 +89,22 @@ GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
 
 template <int D, class T>
 void GridUpdate<D, T>::rebuild(const Grid<D, T>& grid) {
+  remember(grid.topology().keys());
   pairs_ = find_face_pairs(grid, domain_);
   for (int a = 0; a < D; ++a) folded_[a].assign(pairs_[a].size(), 0);
+}
+
+/// Blocks that stay keep their memory; both lists of keys are sorted.
+template <int D, class T>
+void GridUpdate<D, T>::remember(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::vector<BlockContactMemory>> memory(keys.size());
+  for (std::size_t now = 0, before = 0; now < keys.size(); ++now) {
+    while (before < remembered_.size() && remembered_[before] < keys[now]) ++before;
+    if (before < remembered_.size() && remembered_[before] == keys[now])
+      memory[now] = std::move(memory_[before]);
+  }
+  memory_ = std::move(memory);
+  remembered_ = keys;
 }
 
 template <int D, class T>
@@ -281,42 +296,65 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
 
 template <int D, class T>
 void GridUpdate<D, T>::touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
-                                   std::vector<Collider>& colliders) {
+                                   const std::vector<Collider>& colliders) {
   Reaction* reactions = &block_reactions_[std::size_t(block) * colliders.size()];
-  for (int i = 0; i < grid.lattices() * block_node_count<D>; ++i) {
-    T* record = nodes + i * node_values;
-    if (!(record[mass_slot] > T(0))) continue;
-    const int lattice = i / block_node_count<D>;
-    const BlockCoord<D> node = grid.node(int(block), i % block_node_count<D>);
-    std::array<double, 3> x = lower_;
-    for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
-    touch_colliders(x, record[mass_slot], record, colliders, reactions);
+  std::vector<BlockContactMemory>& memory = memory_[std::size_t(block)];
+  memory.resize(colliders.size());
+  for (std::size_t c = 0; c < colliders.size(); ++c) {
+    if (near_block(grid, block, colliders[c], memory[c]))
+      touch_collider(grid, block, nodes, colliders[c], memory[c], reactions[c]);
   }
 }
 
+/// False if no node of the block can touch the collider.
 template <int D, class T>
-void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T* v,
-                                       std::vector<Collider>& colliders,
-                                       Reaction* reactions) const {
-  for (std::size_t c = 0; c < colliders.size(); ++c) {
-    const Collider& collider = colliders[c];
-    if (!collider.touches(x.data())) continue;
+bool GridUpdate<D, T>::near_block(const Grid<D, T>& grid, std::int64_t block,
+                                  const Collider& collider, BlockContactMemory& memory) const {
+  if (!collider.costly()) return true;
+  // Its nodes lie within [0, 3] cells, with the second lattice within [0, 3.5].
+  const double half = 0.5 * cell_size_ * (block_cells - 1 + 0.5 * (grid.lattices() - 1));
+  const BlockCoord<D> first = grid.node(int(block), 0);
+  std::array<double, 3> center = lower_;
+  for (int a = 0; a < D; ++a) center[std::size_t(a)] += cell_size_ * first[a] + half;
+  if (collider.clear_of(center.data(), half * std::sqrt(double(D)), memory.center)) return false;
+  if (memory.nodes.empty()) memory.nodes.resize(std::size_t(grid.lattices()) * block_node_count<D>);
+  return true;
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::touch_collider(const Grid<D, T>& grid, std::int64_t block, T* nodes,
+                                      const Collider& collider, BlockContactMemory& memory,
+                                      Reaction& reaction) const {
+  const Vec3<double> centre = collider.reference_point();
+  for (int i = 0; i < grid.lattices() * block_node_count<D>; ++i) {
+    T* v = nodes + i * node_values;
+    const T mass = v[mass_slot];
+    if (!(mass > T(0))) continue;
+    const int lattice = i / block_node_count<D>;
+    const BlockCoord<D> node = grid.node(int(block), i % block_node_count<D>);
+    std::array<double, 3> x = lower_;
+    for (int a = 0; a < D; ++a) x[std::size_t(a)] += cell_size_ * (node[a] + 0.5 * lattice);
+    Vec3<double> normal;
+    if (memory.nodes.empty()) {
+      if (!collider.touches(x.data())) continue;
+      normal = collider.normal(x.data());
+    } else if (!collider.touches(x.data(), memory.nodes[std::size_t(i)], normal)) {
+      continue;
+    }
     const Vec3<double> old{{double(v[0]), double(v[1]), double(v[2])}};
-    const Vec3<double> now =
-        contact_velocity<double, D>(collider.contact(), collider.coefficient(), old,
-                                    collider.velocity(), collider.normal(x.data()));
+    const Vec3<double> now = contact_velocity<double, D>(collider.contact(), collider.coefficient(),
+                                                         old, collider.velocity(), normal);
     Vec3<double> impulse{};
     Vec3<double> arm{};
-    const Vec3<double> centre = collider.reference_point();
     for (int a = 0; a < D; ++a) {
       impulse[a] = double(mass) * (old[a] - now[a]);
       v[a] = T(now[a]);
     }
-    for (int a = 0; a < 3; ++a) arm[a] = x[a] - centre[a];
+    for (int a = 0; a < 3; ++a) arm[a] = x[std::size_t(a)] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);
     for (int a = 0; a < 3; ++a) {
-      reactions[c].force[a] += impulse[a];
-      reactions[c].torque[a] += torque[a];
+      reaction.force[std::size_t(a)] += impulse[a];
+      reaction.torque[std::size_t(a)] += torque[a];
     }
   }
 }

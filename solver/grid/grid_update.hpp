@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "solver/boundary/collider.hpp"
@@ -51,6 +52,7 @@ class GridUpdate {
   const std::vector<Reaction>& reactions() const { return reactions_; }
 
  private:
+  void remember(const std::vector<std::uint64_t>& keys);
   double add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces, ThreadPool& pool);
   void fold(T* p, T* q, bool separate);
   void hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const;
@@ -61,9 +63,12 @@ class GridUpdate {
   void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                     const GridForces& forces, std::vector<Collider>& colliders);
   void touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
-                   std::vector<Collider>& colliders);
-  void touch_colliders(const std::array<double, 3>& x, T mass, T* v,
-                       std::vector<Collider>& colliders, Reaction* reactions) const;
+                   const std::vector<Collider>& colliders);
+  void touch_collider(const Grid<D, T>& grid, std::int64_t block, T* nodes,
+                      const Collider& collider, BlockContactMemory& memory,
+                      Reaction& reaction) const;
+  bool near_block(const Grid<D, T>& grid, std::int64_t block, const Collider& collider,
+                  BlockContactMemory& memory) const;
 
   GridDomain<D> domain_;
   Faces<D> faces_;
@@ -71,6 +76,9 @@ class GridUpdate {
   double cell_size_;
   FacePairs<D> pairs_;
   std::array<std::vector<char>, D> folded_;  ///< per pair: the ghost follows its image
+  /// Per block, then per collider (or none yet); remembered_ are the keys of these blocks.
+  std::vector<std::vector<BlockContactMemory>> memory_;
+  std::vector<std::uint64_t> remembered_;
   std::vector<double> block_mass_;
   std::vector<Reaction> block_reactions_;
   std::vector<Reaction> reactions_;
