@@ -9,6 +9,7 @@
 #include "solver/deck/deck_checks.hpp"
 #include "solver/deck/document.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/file_paths.hpp"
 #include "solver/deck/new_tables.hpp"
 #include "solver/deck/quiet_floats.hpp"
 
@@ -60,13 +61,14 @@ void complete(Deck& deck) {
   }
 }
 
-Deck interpret(std::optional<Value> document, const std::vector<std::string>& overrides,
-               Problems& problems) {
+Deck interpret(std::optional<Value> document, const std::string& path,
+               const std::vector<std::string>& overrides, Problems& problems) {
   Deck deck;
   if (!document) return deck;
   const QuietFloats quiet;
   const Value original = *document;
   for (const std::string& assignment : overrides) apply_override(*document, assignment, problems);
+  resolve_file_paths(*document, path);
   refuse_incomplete_tables(*document, original, deck_schema(), problems);
   SchemaReader reader(context_of(*document), problems);
   reader.read(deck_schema(), &deck, *document, "");
@@ -98,7 +100,7 @@ bool Deck::wants_field(const std::string& field) const {
 
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides,
                Problems& problems) {
-  Deck deck = interpret(read_document(path, problems), overrides, problems);
+  Deck deck = interpret(read_document(path, problems), path, overrides, problems);
   deck.path = path;
   deck.name = std::filesystem::path(path).stem().string();
   return deck;
@@ -106,7 +108,7 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
 
 Deck read_deck_text(const std::string& text, const std::string& source,
                     const std::vector<std::string>& overrides, Problems& problems) {
-  Deck deck = interpret(parse_document(text, source, problems), overrides, problems);
+  Deck deck = interpret(parse_document(text, source, problems), source, overrides, problems);
   deck.path = source;
   deck.name = std::filesystem::path(source).stem().string();
   return deck;

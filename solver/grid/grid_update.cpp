@@ -2,98 +2,12 @@
 #include "solver/grid/grid_update.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "solver/boundary/contact.hpp"
 #include "solver/boundary/faces.hpp"
 
 namespace scree {
-namespace {
-
-template <int D, class T>
-NodeMomentum<T> read_node(const T* record) {
-  NodeMomentum<T> node{record[mass_slot], {}};
-  for (int a = 0; a < D; ++a) node.momentum[a] = record[a];
-  return node;
-}
-
-template <int D, class T>
-void write_node(T* record, const NodeMomentum<T>& node) {
-  for (int a = 0; a < D; ++a) record[a] = node.momentum[a];
-  record[mass_slot] = node.mass;
-}
-
-/// A node's record {vector, mass} in one register.
-template <class T>
-using Record [[gnu::vector_size(4 * sizeof(T)), gnu::may_alias]] = T;
-
-/// Adds mass x kick to each momentum; returns the sum of the masses.
-template <class T>
-double kick_nodes(T* nodes, std::size_t count, const T (&kick)[3]) {
-  const Record<T> step{kick[0], kick[1], kick[2], T(0)};
-  double sum[4] = {0, 0, 0, 0};  // of every fourth node: sums that do not wait for each other
-  for (std::size_t i = 0; i < count; ++i) {
-    Record<T>& node = reinterpret_cast<Record<T>*>(nodes)[i];
-    const T mass = node[mass_slot];
-    node += mass * step;
-    sum[i % 4] += mass;
-  }
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
-}
-
-/// Momentum -> velocity x keep; nodes without mass rest.
-template <class T>
-void divide_by_mass(T* nodes, std::size_t count, T keep) {
-  for (std::size_t i = 0; i < count; ++i) {
-    Record<T>& node = reinterpret_cast<Record<T>*>(nodes)[i];
-    const T mass = node[mass_slot];
-    if (!(mass > T(0))) {
-      node = Record<T>{T(0), T(0), T(0), mass};
-      continue;
-    }
-    node = node / mass * keep;
-    node[mass_slot] = mass;
-  }
-}
-
-/// Momenta q, of nodes whose masses stand in p, become velocities.
-template <int D, class T>
-void divide_by_mass_of(const T* p, T* q, std::size_t count) {
-  for (std::size_t i = 0; i < count * node_values; i += node_values) {
-    const T mass = p[i + mass_slot];
-    for (int a = 0; a < D; ++a) q[i + a] = mass > T(0) ? q[i + a] / mass : T(0);
-  }
-}
-
-/// Cundall's damping: a fraction of the unbalanced force opposes the velocity before it. What
-/// colliders at x hold of the velocity stays as it is: their force is part of the balance there.
-template <int D, class T>
-void damp_node(T* v, const T* before, T fraction, const std::array<double, 3>& x,
-               const std::vector<const Collider*>& holding) {
-  double change[3] = {0, 0, 0};
-  for (int a = 0; a < D; ++a) {
-    if (v[a] == T(0)) continue;  // held at rest by a wall: in balance
-    const double damping = double(fraction * std::abs(v[a] - before[a]));
-    change[a] = before[a] > T(0) ? -damping : before[a] < T(0) ? damping : 0.0;
-  }
-  for (const Collider* collider : holding) {
-    if (collider->contact() == ContactType::sticky) return;
-    const Vec3<double> normal = collider->normal(x.data());
-    double along = 0;
-    for (int a = 0; a < D; ++a) along += change[a] * normal[a];
-    for (int a = 0; a < D; ++a) change[a] -= along * normal[a];
-  }
-  for (int a = 0; a < D; ++a) v[a] += T(change[a]);
-}
-
-/// q <- p - q: the velocity change.
-template <int D, class T>
-void subtract_from(const T* p, T* q, std::size_t count) {
-  for (std::size_t i = 0; i < count * node_values; i += node_values) {
-    for (int a = 0; a < D; ++a) q[i + a] = p[i + a] - q[i + a];
-  }
-}
-
-}  // namespace
 
 template <int D, class T>
 GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
@@ -102,8 +16,22 @@ GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
 
 template <int D, class T>
 void GridUpdate<D, T>::rebuild(const Grid<D, T>& grid) {
+  remember(grid.topology().keys());
   pairs_ = find_face_pairs(grid, domain_);
   for (int a = 0; a < D; ++a) folded_[a].assign(pairs_[a].size(), 0);
+}
+
+/// Blocks that stay keep their memory; both lists of keys are sorted.
+template <int D, class T>
+void GridUpdate<D, T>::remember(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::vector<BlockContactMemory>> memory(keys.size());
+  for (std::size_t now = 0, before = 0; now < keys.size(); ++now) {
+    while (before < remembered_.size() && remembered_[before] < keys[now]) ++before;
+    if (before < remembered_.size() && remembered_[before] == keys[now])
+      memory[now] = std::move(memory_[before]);
+  }
+  memory_ = std::move(memory);
+  remembered_ = keys;
 }
 
 template <int D, class T>
@@ -310,34 +238,64 @@ std::array<double, 3> GridUpdate<D, T>::position(const Grid<D, T>& grid, std::in
 template <int D, class T>
 void GridUpdate<D, T>::touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
                                    const T* before, T local, T keep,
-                                   std::vector<Collider>& colliders) {
+                                   const std::vector<Collider>& colliders) {
   Reaction* reactions = block_reactions_.data() + std::size_t(block) * colliders.size();
-  std::vector<const Collider*> holding;
+  std::vector<BlockContactMemory>& memory = memory_[std::size_t(block)];
+  memory.resize(colliders.size());
+  bool any_near = false;
+  for (std::size_t c = 0; c < colliders.size(); ++c) {
+    memory[c].near = near_block(grid, block, colliders[c], memory[c]);
+    any_near = any_near || memory[c].near;
+  }
+  if (!any_near && !(local > T(0))) return;
+  std::vector<HeldDirection> held;
   for (int i = 0; i < grid.lattices() * block_node_count<D>; ++i) {
     T* record = nodes + i * node_values;
     if (!(record[mass_slot] > T(0))) continue;
-    std::array<double, 3> x{};
-    holding.clear();
-    if (!colliders.empty()) {
-      x = position(grid, block, i);
-      touch_colliders(x, double(record[mass_slot]) / double(keep), record, colliders, reactions,
-                      holding);
+    held.clear();
+    if (any_near) {
+      touch_node(position(grid, block, i), i, double(record[mass_slot]) / double(keep), record,
+                 colliders, memory, reactions, held);
     }
-    if (local > T(0)) damp_node<D>(record, before + i * node_values, local, x, holding);
+    if (local > T(0)) damp_node<D>(record, before + i * node_values, local, held);
   }
 }
 
+/// False if no node of the block can touch the collider.
 template <int D, class T>
-void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, double mass, T* v,
-                                       std::vector<Collider>& colliders, Reaction* reactions,
-                                       std::vector<const Collider*>& holding) const {
+bool GridUpdate<D, T>::near_block(const Grid<D, T>& grid, std::int64_t block,
+                                  const Collider& collider, BlockContactMemory& memory) const {
+  if (!collider.costly()) return true;
+  // Its nodes lie within [0, 3] cells, with the second lattice within [0, 3.5].
+  const double half = 0.5 * cell_size_ * (block_cells - 1 + 0.5 * (grid.lattices() - 1));
+  const BlockCoord<D> first = grid.node(int(block), 0);
+  std::array<double, 3> center = lower_;
+  for (int a = 0; a < D; ++a) center[std::size_t(a)] += cell_size_ * first[a] + half;
+  if (collider.clear_of(center.data(), half * std::sqrt(double(D)), memory.center)) return false;
+  if (memory.nodes.empty()) memory.nodes.resize(std::size_t(grid.lattices()) * block_node_count<D>);
+  return true;
+}
+
+/// Contact of the block's node i (mass [kg], velocity v) at x with all colliders near the block.
+template <int D, class T>
+void GridUpdate<D, T>::touch_node(const std::array<double, 3>& x, int i, double mass, T* v,
+                                  const std::vector<Collider>& colliders,
+                                  std::vector<BlockContactMemory>& memory, Reaction* reactions,
+                                  std::vector<HeldDirection>& held) const {
   for (std::size_t c = 0; c < colliders.size(); ++c) {
     const Collider& collider = colliders[c];
-    if (!collider.touches(x.data())) continue;
-    const Vec3<double> old{{double(v[0]), double(v[1]), double(v[2])}};
-    const Vec3<double> now =
-        contact_velocity<double, D>(collider.contact(), collider.coefficient(), old,
-                                    collider.velocity(), collider.normal(x.data()));
+    if (!memory[c].near) continue;
+    Vec3<double> normal;
+    if (memory[c].nodes.empty()) {
+      if (!collider.touches(x.data())) continue;
+      normal = collider.normal(x.data());
+    } else if (!collider.touches(x.data(), memory[c].nodes[std::size_t(i)], normal)) {
+      continue;
+    }
+    Vec3<double> old{};
+    for (int a = 0; a < D; ++a) old[a] = double(v[a]);
+    const Vec3<double> now = contact_velocity<double, D>(collider.contact(), collider.coefficient(),
+                                                         old, collider.velocity(), normal);
     Vec3<double> impulse{};
     Vec3<double> arm{};
     const Vec3<double> centre = collider.reference_point();
@@ -347,12 +305,12 @@ void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, double ma
       holds = holds || old[a] != now[a];
       v[a] = T(now[a]);
     }
-    if (holds) holding.push_back(&collider);
-    for (int a = 0; a < 3; ++a) arm[a] = x[a] - centre[a];
+    if (holds) held.push_back({collider.contact() == ContactType::sticky, normal});
+    for (int a = 0; a < 3; ++a) arm[a] = x[std::size_t(a)] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);
     for (int a = 0; a < 3; ++a) {
-      reactions[c].force[a] += impulse[a];
-      reactions[c].torque[a] += torque[a];
+      reactions[c].force[std::size_t(a)] += impulse[a];
+      reactions[c].torque[std::size_t(a)] += torque[a];
     }
   }
 }
