@@ -3,7 +3,7 @@
 
 namespace scree::verify {
 
-// One unit a case, written by CMake, defines these.
+// The unit that CMake writes from the folders defines these.
 #define SCREE_CASE(name) CaseCode case_##name();
 #include "verification/cases/list.def"
 #undef SCREE_CASE
