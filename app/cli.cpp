@@ -37,6 +37,8 @@ struct CommandLine {
   DescribeOptions describe;
   BenchOptions bench;
   ElementOptions element;
+  VerifyOptions verify;
+  VerifyCommand verify_command;
   std::string until;
 };
 
@@ -180,6 +182,23 @@ void add_element(CommandLine& line) {
   element.callback([&line] { line.action = [&line] { return element_command(line.element); }; });
 }
 
+void add_verify(CommandLine& line) {
+  CLI::App& verify =
+      *line.app.add_subcommand("verify", "Compare whole runs with closed forms and experiments");
+  VerifyOptions& options = line.verify;
+  verify.add_option("case", options.cases, "Cases by name (default: all)")->type_name("CASE...");
+  verify.add_flag("--list", options.list, "Name all cases, and do nothing else");
+  verify.add_flag("--full", options.full, "The fine variant, which takes hours, not minutes");
+  verify
+      .add_option("-o,--output", options.output,
+                  "Folder of the report (default: runs/verify, or runs/verify-full)")
+      ->type_name("DIR");
+  verify.add_option("--threads", options.threads, "Runs at a time (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  verify.callback([&line] { line.action = [&line] { return line.verify_command(line.verify); }; });
+}
+
 void build(CommandLine& line) {
   line.app.require_subcommand(1);
   line.app.set_version_flag("--version", std::string("scree ") + build_info::version);
@@ -191,6 +210,7 @@ void build(CommandLine& line) {
   line.app.add_subcommand("info", "Print version, build, backends and libraries")
       ->callback([&line] { line.action = [] { return info_command(); }; });
   add_bench(line);
+  if (line.verify_command) add_verify(line);
   line.app.footer(
       "scree COMMAND --help explains a command. Begin with\n"
       "  scree run inputs/tutorial/sand_column_2d.toml");
@@ -215,7 +235,7 @@ int check_command_word(const CLI::App& app, const std::string& word) {
   for (const std::string& name : names) {
     if (word == name) return 0;
   }
-  for (const char* later : {"verify", "post"}) {
+  for (const char* later : {"post"}) {
     if (word == later) {
       return complain("the command \"" + word +
                       "\" is not available in this version; commands: " + join(names));
@@ -283,8 +303,9 @@ int guarded(const std::function<int()>& action) {
 
 }  // namespace
 
-int scree_main(int argc, const char* const* argv) {
+int scree_main(int argc, const char* const* argv, const VerifyCommand& verify) {
   CommandLine line;
+  line.verify_command = verify;
   build(line);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (words.empty()) {

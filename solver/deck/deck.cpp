@@ -114,6 +114,13 @@ Deck read_deck_text(const std::string& text, const std::string& source,
   return deck;
 }
 
+Deck read_deck_document(Value document, const std::string& source, Problems& problems) {
+  Deck deck = interpret(std::move(document), {}, problems);
+  deck.path = source;
+  deck.name = std::filesystem::path(source).stem().string();
+  return deck;
+}
+
 std::vector<std::string> citations(const Deck& deck) {
   std::vector<std::string> result;
   const auto add = [&](const std::string& publication) {

@@ -10,6 +10,7 @@
 
 #include "solver/base/problems.hpp"
 #include "solver/base/schema.hpp"
+#include "solver/base/value.hpp"
 #include "solver/boundary/collider_spec.hpp"
 #include "solver/boundary/face_spec.hpp"
 #include "solver/boundary/traction_spec.hpp"
@@ -67,6 +68,9 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
 /// The same for a deck in memory; `source` names it in messages.
 Deck read_deck_text(const std::string& text, const std::string& source,
                     const std::vector<std::string>& overrides, Problems& problems);
+
+/// The same for a document that was read already, e.g. one that was completed before.
+Deck read_deck_document(Value document, const std::string& source, Problems& problems);
 
 /// The keys of a whole deck.
 const Schema<Deck>& deck_schema();
