@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "postproc/plot/svg_drawing.hpp"
+
 namespace scree {
 namespace {
 
@@ -115,7 +117,7 @@ bool has_legend(const Chart& chart) {
 /// Draws in the plotted area of one chart.
 class ChartPainter {
  public:
-  ChartPainter(Canvas& canvas, const Frame& frame, const Chart& chart)
+  ChartPainter(Drawing& canvas, const Frame& frame, const Chart& chart)
       : canvas_(canvas),
         chart_(chart),
         scale_(canvas.width() / 1600.0),
@@ -193,7 +195,7 @@ class ChartPainter {
     }
   }
 
-  Canvas& canvas_;
+  Drawing& canvas_;
   const Chart& chart_;
   double scale_;
   Frame area_;
@@ -202,27 +204,53 @@ class ChartPainter {
 
 }  // namespace
 
-void draw_chart(Canvas& canvas, const Frame& frame, const Chart& chart) {
+void draw_chart(Drawing& canvas, const Frame& frame, const Chart& chart) {
   ChartPainter(canvas, frame, chart).draw();
 }
 
-Canvas draw_page(const std::string& title, const std::string& subtitle,
-                 const std::vector<Chart>& charts) {
-  constexpr int width = 1600, row_height = 560, head = 110;
-  const int rows = static_cast<int>((charts.size() + 1) / 2);
+namespace {
+
+constexpr int page_width = 1600, row_height = 560, head = 110;
+
+int page_height(const std::vector<Chart>& charts) {
+  return head + static_cast<int>((charts.size() + 1) / 2) * row_height + 20;
+}
+
+void fill_page(Drawing& canvas, const std::string& title, const std::string& subtitle,
+               const std::vector<Chart>& charts) {
   const bool legend = std::any_of(charts.begin(), charts.end(), has_legend);
-  Canvas canvas(width, head + rows * row_height + 20);
   const double top = canvas.height() - 24;
   canvas.text({60, top}, title, 34, Anchor::low, Anchor::high, true);
   canvas.text({60, top - 46}, subtitle, 24, Anchor::low, Anchor::high);
+  // A single chart has the whole width.
+  const double width = charts.size() == 1 ? 1560 : 780;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const double left = 20 + 780.0 * static_cast<double>(i % 2);
     const double upper = canvas.height() - head - row_height * static_cast<double>(i / 2);
     // Charts without a legend leave its room, too: axes of a row end at one height.
     const double room = legend && !has_legend(charts[i]) ? legend_height : 0;
-    draw_chart(canvas, {left, upper - row_height + 10, left + 780, upper - room}, charts[i]);
+    draw_chart(canvas, {left, upper - row_height + 10, left + width, upper - room}, charts[i]);
   }
+}
+
+}  // namespace
+
+Canvas draw_page(const std::string& title, const std::string& subtitle,
+                 const std::vector<Chart>& charts) {
+  Canvas canvas(page_width, page_height(charts));
+  fill_page(canvas, title, subtitle, charts);
   return canvas;
+}
+
+void write_page(const std::string& path, const std::string& mark, const std::string& title,
+                const std::string& subtitle, const std::vector<Chart>& charts) {
+  if (!path.ends_with(".svg")) {
+    draw_page(title, subtitle, charts).write_png(path, mark);
+    return;
+  }
+  SvgDrawing drawing(page_width, page_height(charts));
+  fill_page(drawing, title, subtitle, charts);
+  drawing.write(path, mark);
 }
 
 }  // namespace scree

@@ -26,12 +26,17 @@ struct Chart {
   std::vector<Curve> curves;
 };
 
-/// Draws a chart, axes and labels included, into a frame of the canvas. The legend is a line of its
-/// own above the axes, where it covers no curve.
-void draw_chart(Canvas& canvas, const Frame& frame, const Chart& chart);
+/// Draws a chart, axes and labels included, into a frame of the drawing. The legend is a line of
+/// its own above the axes, where it covers no curve.
+void draw_chart(Drawing& canvas, const Frame& frame, const Chart& chart);
 
-/// A page with a title over charts, two a row.
+/// A page with a title over charts, two a row; one alone takes the whole width.
 Canvas draw_page(const std::string& title, const std::string& subtitle,
                  const std::vector<Chart>& charts);
+
+/// The same as a file: SVG where the name ends in .svg, else PNG. `mark` names the program in the
+/// file. Throws RunFault.
+void write_page(const std::string& path, const std::string& mark, const std::string& title,
+                const std::string& subtitle, const std::vector<Chart>& charts);
 
 }  // namespace scree
