@@ -143,17 +143,24 @@ def add_flat_axes(paper, layout, scene):
     x1, y1 = x0 + layout.plot_width, y0 + layout.plot_height
     for a, b in (((x0, y0), (x1, y0)), ((x1, y0), (x1, y1)), ((x1, y1), (x0, y1)), ((x0, y1), (x0, y0))):
         paper.line(a, b)
-    metre = layout.plot_width / (scene.high[0] - scene.low[0])
-    for value, words in ticks(scene.low[0], scene.high[0], max(2, layout.plot_width / (140 * s))):
-        x = x0 + (value - scene.low[0]) * metre
+
+    def places(direction, start, length, along_page):
+        """Pixels and words of the ticks along a side; an axis may run the other way."""
+        axis, sign = direction
+        low, high = scene.low[axis], scene.high[axis]
+        for value, words in ticks(low, high, max(2, length / ((140 if along_page else 80) * s))):
+            share = (value - low) / (high - low)
+            yield start + length * (share if sign > 0 else 1 - share), words
+
+    for x, words in places(scene.across, x0, layout.plot_width, True):
         paper.line((x, y0), (x, y0 - 8 * s))
         paper.text(x, y0 - 14 * s, words, align="center", valign="top")
-    for value, words in ticks(scene.low[1], scene.high[1], max(2, layout.plot_height / (80 * s))):
-        y = y0 + (value - scene.low[1]) * metre
+    for y, words in places(scene.upward, y0, layout.plot_height, False):
         paper.line((x0, y), (x0 - 8 * s, y))
         paper.text(x0 - 14 * s, y, words, align="right", valign="middle")
-    paper.text((x0 + x1) / 2, y0 - 52 * s, "x (m)", size=24, align="center", valign="top")
-    paper.text(x0 - 96 * s, (y0 + y1) / 2, "y (m)", size=24, align="center", valign="middle", turn=90)
+    across, upward = ("xyz"[direction[0]] + " (m)" for direction in (scene.across, scene.upward))
+    paper.text((x0 + x1) / 2, y0 - 52 * s, across, size=24, align="center", valign="top")
+    paper.text(x0 - 96 * s, (y0 + y1) / 2, upward, size=24, align="center", valign="middle", turn=90)
 
 
 def add_space_axes(paper, layout, scene, renderer):
@@ -161,7 +168,7 @@ def add_space_axes(paper, layout, scene, renderer):
     s = layout.scale
 
     def on_page(point):
-        renderer.SetWorldPoint(*point, 1.0)
+        renderer.SetWorldPoint(*scene.drawn(point), 1.0)
         renderer.WorldToDisplay()
         return renderer.GetDisplayPoint()[:2]
 
