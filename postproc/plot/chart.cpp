@@ -281,8 +281,6 @@ void fill_page(Drawing& canvas, const std::string& title, const std::string& sub
   const double top = canvas.height() - 24;
   canvas.text({60, top}, title, 34, Anchor::low, Anchor::high, true);
   canvas.text({60, top - 46}, subtitle, 24, Anchor::low, Anchor::high);
-  // A single chart has the whole width.
-  const double width = charts.size() == 1 ? 1560 : 780;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const double left = 20 + 780.0 * static_cast<double>(i % 2);
     const double upper = canvas.height() - head - row_height * static_cast<double>(i / 2);

@@ -115,7 +115,7 @@ Deck read_deck_text(const std::string& text, const std::string& source,
 }
 
 Deck read_deck_document(Value document, const std::string& source, Problems& problems) {
-  Deck deck = interpret(std::move(document), {}, problems);
+  Deck deck = interpret(std::move(document), source, {}, problems);
   deck.path = source;
   deck.name = std::filesystem::path(source).stem().string();
   return deck;
