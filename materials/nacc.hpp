@@ -19,7 +19,7 @@ namespace scree {
 /// positive. Yield surface y = (1 + 2 beta) q^2 + M^2 (p + beta p0)(p - p0) with q^2 = 3/2 |s|^2,
 /// p0 = K (sinh(xi max(-alpha, 0)) + p0_offset); alpha is the plastic part of ln J.
 ///
-/// The return, (5) and (6), is the paper's (section 4.2): beyond a tip of the ellipse to that tip;
+/// The return, (5) and (6), is the paper's: beyond a tip of the ellipse to that tip;
 /// else at the trial pressure, towards the p axis, keeping tr b. Hardening, once a step: alpha
 /// grows by ln (J_trial/J) to the tip, or to the point where the ray from the trial stress to the
 /// ellipse's centre meets the ellipse.
