@@ -6,6 +6,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkIdList.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -52,10 +53,13 @@ vtkStandardNewMacro(Messages)
   vtkNew<Messages> messages;
   const vtkSmartPointer<vtkOutputWindow> before = vtkOutputWindow::GetInstance();
   vtkOutputWindow::SetInstance(messages);
+  const vtkLogger::Verbosity verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);  // it would print them, too
   vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkSmartPointer<vtkDataSet> result = reader->GetOutput();
+  vtkLogger::SetStderrVerbosity(verbosity);
   vtkOutputWindow::SetInstance(before);
   if (!messages->empty())
     throw GeometryFault("file", "cannot be read by VTK: " + messages->first());

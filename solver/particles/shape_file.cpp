@@ -69,21 +69,17 @@ HeightProfile load_profile(const ShapeSpec& spec) {
     throw GeometryFault("section", fmt::format("is needed where a raster has {} rows; add section "
                                                "= [[x, y], [x, y]], the ends of a line on the map",
                                                raster->rows()));
-  const auto end = [&](std::size_t i) {
-    return std::array<double, 2>{spec.scale * spec.section[i][0], spec.scale * spec.section[i][1]};
-  };
-  if (!spec.section.empty())
-    for (const auto& point : {end(0), end(1)})
-      for (std::size_t a = 0; a < 2; ++a)
-        if (point[a] < raster->lower()[a] || point[a] > raster->upper()[a])
-          throw GeometryFault(
-              "section",
-              fmt::format("leaves the raster, which reaches from ({:.9g}, "
-                          "{:.9g}) to ({:.9g}, {:.9g})",
-                          raster->lower()[0] / spec.scale, raster->lower()[1] / spec.scale,
-                          raster->upper()[0] / spec.scale, raster->upper()[1] / spec.scale));
-  HeightProfile profile =
-      spec.section.empty() ? HeightProfile(*raster) : HeightProfile(*raster, end(0), end(1));
+  for (const auto& point : spec.section)
+    for (std::size_t a = 0; a < 2; ++a)
+      if (point[a] < raster->lower()[a] || point[a] > raster->upper()[a])
+        throw GeometryFault("section",
+                            fmt::format("leaves the raster, which reaches from ({:.9g}, {:.9g}) to "
+                                        "({:.9g}, {:.9g})",
+                                        raster->lower()[0], raster->lower()[1], raster->upper()[0],
+                                        raster->upper()[1]));
+  HeightProfile profile = spec.section.empty()
+                              ? HeightProfile(*raster)
+                              : HeightProfile(*raster, spec.section[0], spec.section[1]);
   profile.move(spec.translate[0], spec.translate[1]);
   return profile;
 }

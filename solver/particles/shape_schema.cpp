@@ -82,9 +82,8 @@ void add_heightmap_keys(Schema<ShapeSpec>& s) {
       .when("type", {"heightmap"})
       .fallback_text("the row of a raster that has only one")
       .doc(
-          "Ends [x, y] of a line on the map, in the unit of the file; the profile along it has x = "
-          "0 at the "
-          "first one.");
+          "Ends [x, y] of a line on the scaled map; the profile along it has x = 0 at the first "
+          "one.");
 }
 
 Schema<ShapeSpec> make_schema() {

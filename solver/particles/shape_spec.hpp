@@ -79,7 +79,7 @@ struct ShapeSpec {
 
   double base = 0;                ///< heightmap: height of the flat bottom, m
   std::optional<double> no_data;  ///< heightmap: in place of missing heights, in the file's unit
-  /// heightmap in 2D: two points of the map, in the file's unit; empty: the only row
+  /// heightmap in 2D: two points of the scaled map, m; empty: the only row
   std::vector<std::array<double, 2>> section;
 
   /// union, intersection: two or more shapes; difference: the first less all the others.
