@@ -76,10 +76,21 @@ std::vector<double> ticks(const Axis& axis, double most) {
   return axis.logarithmic ? logarithmic_ticks(axis) : even_ticks(axis, most);
 }
 
+/// "20", "0.02", and below a thousandth "5e-4": short, for the axis' own label stands beside it.
 std::string tick_text(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  std::snprintf(text, sizeof text, value != 0 && std::abs(value) < 1e-3 ? "%.2e" : "%.6g", value);
+  std::string result = text;
+  const std::size_t e = result.find('e');
+  if (e == std::string::npos) return result;
+  std::string digits = result.substr(0, e), power = result.substr(e + 1);
+  if (digits.find('.') != std::string::npos) {
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+  }
+  const bool negative = power[0] == '-';
+  power.erase(0, std::min(power.find_first_not_of("+-0"), power.size() - 1));
+  return digits + (negative ? "e-" : "e") + power;
 }
 
 /// The range of the curves, widened to whole ticks; a constant gets room around it.
@@ -117,7 +128,7 @@ constexpr double legend_height = 34;
 /// About how long an entry of the legend is, in pixels of the design: letters are half as wide as
 /// high.
 double entry_length(const Curve& curve) {
-  return 84 + 0.52 * text_size * static_cast<double>(curve.name.size());
+  return 84 + 0.47 * text_size * static_cast<double>(curve.name.size());
 }
 
 /// Lines of the legend over axes of this length.
@@ -256,6 +267,10 @@ class ChartPainter {
 };
 
 }  // namespace
+
+double legend_room(const Chart& chart, double width) {
+  return legend_height * legend_lines(chart, width - left_room - right_room);
+}
 
 void draw_chart(Drawing& canvas, const Frame& frame, const Chart& chart, double scale) {
   ChartPainter(canvas, frame, chart, scale).draw();

@@ -34,6 +34,9 @@ struct Chart {
 /// `scale` is how many pixels stand for one of a page 1600 wide; 0: the drawing is such a page.
 void draw_chart(Drawing& canvas, const Frame& frame, const Chart& chart, double scale = 0);
 
+/// Height of the legend of a chart of this width, both in pixels of a page 1600 wide.
+double legend_room(const Chart& chart, double width);
+
 /// A page with a title over charts, two a row; one alone takes the whole width.
 Canvas draw_page(const std::string& title, const std::string& subtitle,
                  const std::vector<Chart>& charts);

@@ -20,7 +20,7 @@ struct RunResult {
   std::string fault;  ///< empty: it reached its end
   std::string deck;   ///< as TOML, to run it again
   std::int64_t particles = 0, steps = 0;
-  double seconds = 0;  ///< wall time on one core
+  double seconds = 0;  ///< on one core
 };
 
 /// One measured number beside its limits.

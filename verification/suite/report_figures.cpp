@@ -10,7 +10,7 @@
 namespace scree::verify {
 namespace {
 
-constexpr int width = 780, height = 520;
+constexpr int width = 780, axes_height = 450;
 constexpr Colour black{0.1, 0.1, 0.1};
 
 /// Colours that can be told apart also by most of the colour-blind (Okabe and Ito).
@@ -22,6 +22,7 @@ Colour colour_of(std::size_t series) {
 }
 
 Picture drawn(const std::string& title, const Chart& chart) {
+  const int height = axes_height + static_cast<int>(legend_room(chart, width));
   SvgDrawing drawing(width, height);
   draw_chart(drawing, {0, 0, double(width), double(height)}, chart, 1);
   return {title, drawing.svg(title)};

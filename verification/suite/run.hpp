@@ -71,7 +71,7 @@ struct Run {
   std::optional<ElementResult> element;
 
   std::string fault;   ///< why it ended early; empty: it did not
-  double seconds = 0;  ///< of wall time
+  double seconds = 0;  ///< of this core
 
   double number(const std::string& name) const { return parameters.number(name); }
   const std::string& text(const std::string& name) const { return parameters.text(name); }

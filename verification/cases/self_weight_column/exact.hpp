@@ -73,8 +73,8 @@ struct Case {
       const double here = end.X(p)[1];
       error += std::abs(stress(p, 1, 1) - exact.stress(here)) * volume(p);
       total += volume(p);
-      X.push_back(here);
-      measured.push_back(stress(p, 1, 1) / 1e3);
+      X.push_back(here / exact.height);
+      measured.push_back(stress(p, 1, 1) / -exact.stress(0));
       if (here < exact.height - spacing) continue;
       const double off = end.x(p)[1] - here - exact.displacement(here);
       highest = std::max(highest, std::abs(off / top));
@@ -89,15 +89,17 @@ struct Case {
  private:
   static void draw(const Run& run, const Column& exact, const std::vector<double>& X,
                    const std::vector<double>& measured, Measured& out) {
-    out.figure("Vertical stress", "height before loading (m)", "vertical stress (kPa)")
+    out.figure("Vertical stress", "height before loading, X/H", "sigma/(rho g H)")
         .particles(X, measured)
-        .exact({0, exact.height}, {exact.stress(0) / 1e3, 0});
+        .exact({0, 1}, {-1, 0});
     std::vector<double> t, mean;
     for (const HistoryRow& row : run.history) {
       t.push_back(row.time / run.number("period"));
-      mean.push_back(row.center[1]);
+      mean.push_back((row.center[1] - run.history.front().center[1]) /
+                     exact.displacement(exact.height));
     }
-    out.figure("Settling", "time over the period of the lowest mode", "height of the centre (m)")
+    out.figure("Settling", "time over the period of the lowest mode",
+               "of the centre over that of the top")
         .computed(t, mean);
   }
 };
