@@ -89,12 +89,12 @@ TEST_F(DeckGeometry, DefectsAreNamedAtTheirPlace) {
   write("open.obj", testing::obj_text(open));
   EXPECT_EQ(
       report(R"({ type = "mesh", file = "../open.obj" })"),
-      "decks/deck.toml:16:32: body.stone.shape.file = \"open.obj\": is not closed: 3 edges have "
+      "decks/deck.toml:16:33: body.stone.shape.file = \"open.obj\": is not closed: 3 edges have "
       "a triangle on one side only, the first from (1, 0, 0) to (1, 0, 1) m; close the holes, "
       "or give an open sheet a thickness with extrude\n");
   EXPECT_EQ(
       report(R"({ type = "mesh", file = "none.stl" })"),
-      "decks/deck.toml:16:32: body.stone.shape.file = \"decks/none.stl\": cannot be read: "
+      "decks/deck.toml:16:33: body.stone.shape.file = \"decks/none.stl\": cannot be read: "
       "decks/none.stl: No such file or directory; relative paths start at the deck's folder\n");
 }
 
@@ -102,11 +102,10 @@ TEST_F(DeckGeometry, WrongKeysAreReported) {
   write("stone.stl", testing::ascii_stl(testing::box_mesh({0, 0, 0}, {1, 1, 1}), "top"));
   EXPECT_EQ(
       report(R"({ type = "mesh", file = "../stone.stl", region = "to" })"),
-      "decks/deck.toml:16:57: body.stone.shape.region = \"to\": is not in the file, which has "
+      "decks/deck.toml:16:58: body.stone.shape.region = \"to\": is not in the file, which has "
       "top; did you mean \"top\"?\n");
-  EXPECT_EQ(
-      report(R"({ type = "mesh", file = "../stone.stl", scale = 0 })"),
-      "decks/deck.toml:16:56: body.stone.shape.scale = 0: must be above 0; allowed: above 0\n");
+  EXPECT_EQ(report(R"({ type = "mesh", file = "../stone.stl", scale = 0 })"),
+            "decks/deck.toml:16:57: body.stone.shape.scale = 0: is too small; allowed: above 0\n");
   EXPECT_NE(report(R"({ type = "mesh", file = "../stone.stl", base = 0 })")
                 .find("shape.base = 0: does not belong to type = \"mesh\""),
             std::string::npos);
