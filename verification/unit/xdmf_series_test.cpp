@@ -21,11 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file of frames opened as any other program does it.
+/// A file of frames opened as any other program does it: a copy, for this program's HDF5 has the
+/// file itself open for writing.
 class Reader {
  public:
-  explicit Reader(const fs::path& path)
-      : file_((start_hdf5(), H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)), H5Fclose) {}
+  explicit Reader(const fs::path& path) {
+    start_hdf5();
+    const fs::path copy = path.string() + ".copy";
+    fs::copy_file(path, copy, fs::copy_options::overwrite_existing);
+    file_ = Hdf5Handle(H5Fopen(copy.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  }
 
   bool valid() const { return file_.valid(); }
 
@@ -206,14 +211,17 @@ TEST(XdmfSeries, WhateverStopsTheProgramTheFramesCanBeRead) {
     std::optional<XdmfSeries> series(double_series(folder.path(), 3));
     const WriteWatch watch([&] {
       if (!fs::exists(folder / "particles.xdmf")) return;
-      moments.push_back(
-          {read_text(folder / "particles.xdmf"), read_text(folder / "particles.h5"), complete});
+      Moment now{read_text(folder / "particles.xdmf"), read_text(folder / "particles.h5"),
+                 complete};
+      const bool seen = !moments.empty() && moments.back().index == now.index &&
+                        moments.back().frames == now.frames;
+      if (!seen) moments.push_back(std::move(now));
     });
-    for (; complete < 5; ++complete) add_frames(*series, complete, complete + 1);
+    for (; complete < 4; ++complete) add_frames(*series, complete, complete + 1);
     series.reset();  // closes the file
   }
-  EXPECT_GT(moments.size(), 50u);  // eight arrays in each of five frames
-  EXPECT_EQ(fault_of(folder.path(), 5), "");
+  EXPECT_GT(moments.size(), 40u);  // eight arrays in each of four frames
+  EXPECT_EQ(fault_of(folder.path(), 4), "");
   for (std::size_t i = 0; i < moments.size(); ++i) {
     write_text(folder / "particles.xdmf", moments[i].index);
     write_text(folder / "particles.h5", moments[i].frames);
