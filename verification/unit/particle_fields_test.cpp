@@ -138,7 +138,7 @@ TEST(ParticleFields, OfAUniformStress) {
 TEST(ParticleFields, YieldDistanceVanishesWhereTheMaterialFlows) {
   std::vector<std::string> fields;
   const auto simulation = simulation_of(
-      block_deck("", R"(velocity = ["20*(x-0.5)", "-10*(y-0.5)", "-10*(z-0.5)"])"), fields);
+      block_deck("", R"~(velocity = ["20*(x-0.5)", "-10*(y-0.5)", "-10*(z-0.5)"])~"), fields);
   while (simulation->time() < 1e-3) simulation->step();
   const ParticleSnapshot snapshot = simulation->particles(fields);
   std::size_t flowing = 0;
