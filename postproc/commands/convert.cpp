@@ -70,11 +70,15 @@ int convert(const ParticleSnapshot& frame, const std::string& output) {
   }
   // meshio reads the frame from a file of the usual kind, whatever format the run has.
   const fs::path temporary = output + ".scree.vtu";
+  struct Remover {
+    fs::path path;
+    ~Remover() {
+      std::error_code ignored;
+      fs::remove(path, ignored);
+    }
+  } const remover{temporary};
   write_particle_frame(temporary, frame, FramePrecision::double_);
-  const int status = run_tool("convert", {temporary.string(), output});
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  return status;
+  return run_tool("convert", {temporary.string(), output});
 }
 
 int run_convert(const ConvertOptions& options) {

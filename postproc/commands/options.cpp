@@ -188,7 +188,8 @@ FrameProgress::FrameProgress(std::string what, std::size_t total, bool quiet)
 void FrameProgress::done(std::size_t count) {
   const double time = now();
   // Short work stays silent.
-  if (quiet_ || total_ < 2 || time - started_ < 1 || time - last_ < (terminal_ ? 0.1 : 10)) return;
+  if (quiet_ || count >= total_ || time - started_ < 1 || time - last_ < (terminal_ ? 0.1 : 10))
+    return;
   last_ = time;
   const double left = (time - started_) / static_cast<double>(count) *
                       static_cast<double>(total_ - std::min(count, total_));
@@ -206,7 +207,7 @@ std::string time_text(double time) { return fmt::format("t = {:.6g} s", time); }
 
 std::string axis_label(const std::string& name, const std::string& unit) {
   std::string label = name;
-  for (char& c : label) c = c == '_' ? ' ' : c;
+  for (char& c : label) c = c == '_' || c == '.' ? ' ' : c;
   if (!label.empty())
     label[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(label[0])));
   return unit.empty() ? label : label + " (" + unit + ")";

@@ -140,7 +140,7 @@ std::vector<Chart> charts_of(const Report& report, const RunoutOptions& options,
   over_time.x_label = "Time (s)";
   over_time.y_label = "Distance, height (m)";
   const std::vector<std::pair<std::size_t, std::string>> lines = {
-      {1, fmt::format("front, {:g} %", 100 * options.share)}, {2, "farthest"}, {4, "height"}};
+      {1, fmt::format("front {:g} %", 100 * options.share)}, {2, "farthest"}, {4, "height"}};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Curve curve;
     curve.x = report.numbers(0);
@@ -155,7 +155,7 @@ std::vector<Chart> charts_of(const Report& report, const RunoutOptions& options,
       Curve curve;
       curve.x = {over_time.curves[0].x.front(), over_time.curves[0].x.back()};
       curve.y.assign(2, std::get<double>(fact.value));
-      curve.name = law + ", final front";
+      curve.name = law;
       curve.dashed = true;
       curve.colour = curve_colour(law == "lube" ? 3 : 5);
       over_time.curves.push_back(curve);
@@ -163,13 +163,12 @@ std::vector<Chart> charts_of(const Report& report, const RunoutOptions& options,
   }
   Chart shape;
   shape.x_label = measure.radial ? "Angle (deg)" : "Distance (m)";
-  shape.y_label = measure.radial ? "Front (m)" : "Height (m)";
+  shape.y_label = measure.radial ? "Final front (m)" : "Final height (m)";
   Curve curve;
   for (const OutlinePoint& point : outline) {
     curve.x.push_back(point.distance);
     curve.y.push_back(point.value);
   }
-  curve.name = "outline at the end";
   shape.curves = {curve};
   return {over_time, shape};
 }

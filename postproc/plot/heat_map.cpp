@@ -74,7 +74,7 @@ void draw_bar(Drawing& page, const HeatMap& map, const Frame& f, double low, dou
     page.line({{bar.right, y}, {bar.right + 7, y}}, all, ink, 1.5);
     page.text({bar.right + 13, y}, tick_label(v), 22, Anchor::low, Anchor::middle);
   }
-  page.text({bar.left - 20, bar.top + 16}, map.value_label, 22);
+  page.text({page_width - 30.0, bar.top + 16}, map.value_label, 22, Anchor::high);
 }
 
 void draw(Drawing& page, const HeatMap& map, const Frame& f) {
