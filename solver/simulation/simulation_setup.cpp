@@ -92,7 +92,12 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
                                                 mass, particle_count());
     setup_.tractions.clear();
   }
-  setup_.bodies.clear();
+  // Of the bodies' setups the output still needs the laws' inputs; the particles' arrays go.
+  for (BodySetup& body : setup_.bodies) {
+    BodySetup rest;
+    rest.input = std::move(body.input);
+    body = std::move(rest);
+  }
   initial_count_ = particle_count();
   refresh_blocks();
   first_step();
