@@ -140,7 +140,7 @@ std::vector<Chart> charts_of(const Report& report, const RunoutOptions& options,
   over_time.x_label = "Time (s)";
   over_time.y_label = "Distance, height (m)";
   const std::vector<std::pair<std::size_t, std::string>> lines = {
-      {1, fmt::format("front {:g} %", 100 * options.share)}, {2, "farthest"}, {4, "height"}};
+      {1, "front"}, {2, "farthest"}, {4, "height"}};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     Curve curve;
     curve.x = report.numbers(0);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Colour ink{0.13, 0.13, 0.13};
 constexpr int page_width = 1600;
-constexpr double left = 150, right = 260, bottom = 110, top = 130;
+constexpr double left = 150, right = 350, bottom = 110, top = 130;
 
 /// The plotted rectangle: as wide as the page allows, or less where the map is tall.
 Frame plot_frame(const HeatMap& map) {
@@ -61,7 +61,7 @@ void draw_bar(Drawing& page, const HeatMap& map, const Frame& f, double low, dou
   const Frame all{0, 0, page.width() - 1.0, page.height() - 1.0};
   const double middle = 0.5 * (f.bottom + f.top);
   const double half = std::clamp(0.5 * (f.top - f.bottom) - 30, 90.0, 260.0);
-  const Frame bar{page_width - 220.0, middle - half, page_width - 186.0, middle + half};
+  const Frame bar{page_width - 310.0, middle - half, page_width - 276.0, middle + half};
   constexpr int steps = 128;
   for (int i = 0; i < steps; ++i) {
     const double y0 = bar.bottom + 2 * half * i / steps,
@@ -74,7 +74,7 @@ void draw_bar(Drawing& page, const HeatMap& map, const Frame& f, double low, dou
     page.line({{bar.right, y}, {bar.right + 7, y}}, all, ink, 1.5);
     page.text({bar.right + 13, y}, tick_label(v), 22, Anchor::low, Anchor::middle);
   }
-  page.text({page_width - 30.0, bar.top + 16}, map.value_label, 22, Anchor::high);
+  page.text({bar.left, bar.top + 16}, map.value_label, 22);
 }
 
 void draw(Drawing& page, const HeatMap& map, const Frame& f) {
