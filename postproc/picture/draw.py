@@ -95,7 +95,8 @@ def numbers(values):
 def draw_frame(options, deck, path, time, output):
     data = read_frame(path)
     values, label = colour_values(data, options.field, options.component, options.invariant)
-    low, high = colour_range(numbers(values), options.range)
+    known = numbers(values)
+    low, high = colour_range(known, options.range)
     function = colour_function(low, high)
     scene = Scene(deck, data, options.crop, options.view, options.exaggeration)
 
@@ -113,8 +114,8 @@ def draw_frame(options, deck, path, time, output):
         add_flat_axes(paper, layout, scene)
     else:
         add_space_axes(paper, layout, scene, renderer)
-    extremes = (min(numbers), max(numbers)) if numbers else (low, high)
-    notes = ["grey: no value"] if len(numbers) < values.GetNumberOfTuples() else []
+    extremes = (min(known), max(known)) if known else (low, high)
+    notes = ["grey: no value"] if len(known) < values.GetNumberOfTuples() else []
     add_colour_bar(paper, layout.bar(), function, (low, high), extremes, label, notes)
     title = options.title
     if title is None:

@@ -246,7 +246,7 @@ class Checker {
 
   void check_window(std::vector<std::string> path, const OutputSpec& spec) {
     path.emplace_back("from");
-    if (faulty("time.end") || faulty(key_text(path)) || spec.from <= deck_.time.end) return;
+    if (faulty("time.end") || faulty(key_text(path)) || !(spec.from > deck_.time.end)) return;
     report(path, "is after time.end, so there would be no frame",
            "at most " + toml_number(deck_.time.end) + " s");
   }

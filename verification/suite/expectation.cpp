@@ -37,8 +37,7 @@ void read_kind(TableReader& reader, const Value& table, Expectation& result) {
         known.band ? limits.size() == 2 : limits.size() == 1 || (each > 0 && limits.size() == each);
     if (!fits)
       reader.report(*table.find(known.key), known.key, fmt::format("has {} numbers", limits.size()),
-                    known.band ? "must be [lower, upper]"
-                               : "must be one number, or one for each entry of `at`");
+                    known.band ? "[lower, upper]" : "one number, or one for each entry of `at`");
   }
   if (found.size() != 1)
     reader.report(table, "",

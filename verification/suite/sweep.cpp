@@ -31,7 +31,7 @@ void check_parameters(const Value* table, const std::string& path, Problems& pro
   for (const Value& item : table->items) {
     if (item.is_number() || item.is(Value::Kind::text)) continue;
     problems.add({item.position, path + "." + item.key, "", "is " + kind_name(item.kind),
-                  "must be a number, a text, or an expression in braces", ""});
+                  "a number, a text, or an expression in braces", ""});
   }
 }
 
@@ -96,7 +96,7 @@ class SweepReader {
     series.may_fail = reader.flag("may_fail").value_or(false);
     const Value* with = reader.any("with");
     if (with != nullptr && !with->is(Value::Kind::table)) {
-      reader.report(*with, "with", "is " + kind_name(with->kind), "must be a table");
+      reader.report(*with, "with", "is " + kind_name(with->kind), "a table");
       with = nullptr;
     }
     check_parameters(with, "sweep.series.with", problems_);
@@ -115,7 +115,7 @@ class SweepReader {
     const auto check = [&](const Value& where, const std::string& key, const std::string& name) {
       if (std::find(names.begin(), names.end(), name) != names.end()) return;
       reader.report(where, key, "\"" + name + "\" is no parameter",
-                    "sweep.parameters has " + join(names));
+                    "those of sweep.parameters, " + join(names));
     };
     check(table, "over", series.over);
     if (with == nullptr) return;
@@ -138,7 +138,7 @@ class SweepReader {
       if (filled.is_number()) {
         run.size = filled.number();
       } else {
-        reader_.report(*size_, "size", "is no number", "must be one or an expression in braces");
+        reader_.report(*size_, "size", "is no number", "one or an expression in braces");
       }
     }
     result_.runs.push_back(std::move(run));

@@ -15,7 +15,7 @@ const Value* TableReader::of_kind(const std::string& key,
                                   const std::string& allowed) {
   const Value* const value = any(key);
   if (value == nullptr || fits(*value)) return value;
-  report(*value, key, "is " + kind_name(value->kind), "must be " + allowed);
+  report(*value, key, "is " + kind_name(value->kind), allowed);
   return nullptr;
 }
 

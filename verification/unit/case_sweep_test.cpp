@@ -45,7 +45,7 @@ TEST(CaseParameters, MistakesNamePlaceAndRepair) {
   some_parameters().fill(deck, "", problems);
   EXPECT_EQ(problems.text(),
             "case.toml:1:5: a = \"{cels}\": {cels} is no expression: unknown name \"cels\" at "
-            "character 1 (did you mean \"cells\"?); parameters: cells, g\n"
+            "character 1 (did you mean \"cells\"?); allowed: parameters: cells, g\n"
             "case.toml:2:5: b = \"{cells\": a { without its }\n");
 }
 
@@ -84,7 +84,8 @@ TEST(CaseSweep, UnknownNamesAreReported) {
                          "[[sweep.series]]\nname = \"a\"\nci = 1\nwiht = { cells = 1 }\n"),
              false, problems);
   const std::string text = problems.text();
-  EXPECT_NE(text.find("\"cels\" is no parameter; sweep.parameters has cells"), std::string::npos)
+  EXPECT_NE(text.find("\"cels\" is no parameter; allowed: those of sweep.parameters, cells"),
+            std::string::npos)
       << text;
   EXPECT_NE(text.find("sweep.series.wiht: unknown key"), std::string::npos) << text;
   EXPECT_NE(text.find("did you mean with?"), std::string::npos) << text;
@@ -100,7 +101,7 @@ TEST(CaseText, AnExpectationSaysOneThingAndWhy) {
   const std::string text = problems.text();
   EXPECT_NE(text.find("says several things at once: at_most, at_least"), std::string::npos) << text;
   EXPECT_NE(text.find("expect.why: is missing"), std::string::npos) << text;
-  EXPECT_NE(text.find("has 3 numbers; must be one number, or one for each entry of `at`"),
+  EXPECT_NE(text.find("has 3 numbers; allowed: one number, or one for each entry of `at`"),
             std::string::npos)
       << text;
 }

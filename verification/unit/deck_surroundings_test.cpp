@@ -93,16 +93,16 @@ until = "0.4 s")~",
      R"~(deck.toml:27:8: output.from = 2: is after time.end, so there would be no frame; allowed: at most 1.0 s)~"},
     {25, R"~([frames.grid]
 fields = ["p"])~",
-     R"~(deck.toml:25:9: frames.grid = { fields = ["p"] }: there are other files called grid; choose another name)~"},
+     R"~(deck.toml:25:1: frames.grid = { fields = ["p"] }: there are other files called grid; choose another name)~"},
     {25, R"~([frames.toe]
 format = "none")~",
      R"~(deck.toml:26:10: frames.toe.format = "none": unknown name; allowed: vtu, xdmf)~"},
     {25, R"~([probe.a]
 type = "particle")~",
-     R"~(deck.toml:25:2: probe.a.at: required key is missing; allowed: a length [m] for each axis; add at = ... or id = ...)~"},
+     R"~(deck.toml:25:1: probe.a.at: required key is missing; allowed: a length [m] for each axis; add at = ... or id = ...)~"},
     {25, R"~([probe.a]
 at = [1.0, 0.1])~",
-     R"~(deck.toml:26:6: probe.a.at = [1.0, 0.1]: lies outside of the domain; allowed: (0.0, 0.0) to (0.8, 0.3) m)~"},
+     R"~(deck.toml:26:6: probe.a.at = [1.0, 0.1]: lies outside of the domain; allowed: [0, 0] to [0.8, 0.3] m)~"},
     {25, R"~([probe.a]
 type = "particle"
 at = [0.1, 0.1]

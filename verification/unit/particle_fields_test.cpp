@@ -56,6 +56,7 @@ TEST(StressInvariants, MobilisedFriction) {
   EXPECT_TRUE(std::isnan(mobilised_friction({0, 0, 0})));
 }
 
+/// A block of 0.8 m in a box of 1 m.
 std::string block_deck(const std::string& method, const std::string& body) {
   return R"([domain]
 dimension = 3
@@ -77,7 +78,7 @@ yield_stress = "3 kPa"
 hardening_modulus = 0
 [body.block]
 material = "clay"
-shape = { type = "box", lower = [0.3, 0.3, 0.3], upper = [0.7, 0.7, 0.7] }
+shape = { type = "box", lower = [0.1, 0.1, 0.1], upper = [0.9, 0.9, 0.9] }
 particles_per_direction = 2
 )" + body +
          R"(
@@ -129,9 +130,7 @@ TEST(ParticleFields, OfAUniformStress) {
     EXPECT_GT(value("yield_distance"), 0);  // q is below 3 kPa
     EXPECT_EQ(value("equivalent_plastic_shear_strain"), 0);
     EXPECT_EQ(value("displacement", 2), 0);
-    // E = 1 MPa, nu = 1/4: K = E/(3 (1 - 2 nu)); Kirchhoff mean stress is K ln J.
-    const double K = 1e6 / 1.5, J = value("volume_ratio");
-    EXPECT_NEAR(K * std::log(J) / J, -3000, 1e-6);
+    EXPECT_EQ(value("volume_ratio"), 1);  // over the volume at the start, whatever its stress
   }
 }
 
@@ -168,7 +167,7 @@ TEST(ParticleFields, StrainRateOfAnAffineMotion) {
       for (std::size_t p = 0; p < snapshot.id.size(); ++p) {
         const double* x = &snapshot.position[3 * p];
         const bool inner = std::abs(x[0] - 0.5) < 0.06 && std::abs(x[1] - 0.5) < 0.06 &&
-                           std::abs(x[2] - 0.5) < 0.06;  // the surface is two cells away
+                           std::abs(x[2] - 0.5) < 0.06;  // nodes of 1.5 cells around see 1.5 cells
         if (!inner) continue;
         for (std::size_t c = 0; c < 9; ++c) {
           const double value = rate.values[9 * p + c];

@@ -60,7 +60,7 @@ TEST(SvgDrawing, AChartWithTwoLogarithmicAxes) {
   SvgDrawing drawing(780, 520);
   draw_chart(drawing, {0, 0, 780, 520}, chart, 1);
   const std::string svg = drawing.svg("a chart");
-  EXPECT_NE(svg.find(">0.0001</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">1e-4</text>"), std::string::npos);
   EXPECT_NE(svg.find(">second order</text>"), std::string::npos);
   EXPECT_EQ(count(svg, "<circle"), 4) << "three points and one in the legend";
 }
