@@ -40,9 +40,14 @@ struct Case {
     }
     std::sort(radii.begin(), radii.end());
     const double front = radii[static_cast<std::size_t>(0.995 * double(radii.size()))];
-    const double mean = (lube_run_out(a) + lajeunesse_run_out(a)) / 2;
-    out.value("run-out", front / r0 - 1, mean);
-    out.value("height", profile[0] / r0, (lube_height(a) + lajeunesse_height(a)) / 2);
+    const double run_out = front / r0 - 1, height = profile[0] / r0;
+    out.value("run-out over the shorter law",
+              run_out / std::min(lube_run_out(a), lajeunesse_run_out(a)));
+    out.value("run-out over the longer law",
+              run_out / std::max(lube_run_out(a), lajeunesse_run_out(a)));
+    out.value("height over the lower law", height / std::min(lube_height(a), lajeunesse_height(a)));
+    out.value("height over the higher law",
+              height / std::max(lube_height(a), lajeunesse_height(a)));
     out.value("asymmetry", std::abs(along_x / along_y - 1));
     const HistoryRow& last = run.history.back();
     out.value("rest",
