@@ -2,6 +2,7 @@
 #include "app/cli.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include "app/describe_command.hpp"
 #include "app/element_command.hpp"
 #include "app/info_command.hpp"
+#include "app/post_command.hpp"
 #include "app/run_command.hpp"
 #include "generated/build_info.hpp"
 #include "solver/base/error.hpp"
@@ -37,6 +39,8 @@ struct CommandLine {
   DescribeOptions describe;
   BenchOptions bench;
   ElementOptions element;
+  VerifyOptions verify;
+  VerifyCommand verify_command;
   std::string until;
 };
 
@@ -127,6 +131,10 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
         ->excludes(suite);
   };
   choice("--case", options.case_name, {"elastic", "sand", "fluid"}, "What to simulate");
+  bench.add_option("--dimension", options.dimension, "Of space (default: 3)")
+      ->check(CLI::IsMember({2, 3}))
+      ->type_name("2|3")
+      ->excludes(suite);
   bench.add_option("--steps", options.steps, "Timed steps (default: enough to measure well)")
       ->check(CLI::Range(1, 1'000'000'000))
       ->type_name("N")
@@ -176,7 +184,24 @@ void add_element(CommandLine& line) {
   element.callback([&line] { line.action = [&line] { return element_command(line.element); }; });
 }
 
-void build(CommandLine& line) {
+void add_verify(CommandLine& line) {
+  CLI::App& verify =
+      *line.app.add_subcommand("verify", "Compare whole runs with closed forms and experiments");
+  VerifyOptions& options = line.verify;
+  verify.add_option("case", options.cases, "Cases by name (default: all)")->type_name("CASE...");
+  verify.add_flag("--list", options.list, "Name all cases, and do nothing else");
+  verify.add_flag("--full", options.full, "The fine variant, which takes hours, not minutes");
+  verify
+      .add_option("-o,--output", options.output,
+                  "Folder of the report (default: runs/verify, or runs/verify-full)")
+      ->type_name("DIR");
+  verify.add_option("--threads", options.threads, "Runs at a time (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  verify.callback([&line] { line.action = [&line] { return line.verify_command(line.verify); }; });
+}
+
+void build(CommandLine& line, const std::vector<std::string>& words) {
   line.app.require_subcommand(1);
   line.app.set_version_flag("--version", std::string("scree ") + build_info::version);
   line.app.failure_message(CLI::FailureMessage::simple);
@@ -184,9 +209,11 @@ void build(CommandLine& line) {
   add_check(line);
   add_describe(line);
   add_element(line);
+  add_post(line.app, line.action, words);
   line.app.add_subcommand("info", "Print version, build, backends and libraries")
       ->callback([&line] { line.action = [] { return info_command(); }; });
   add_bench(line);
+  if (line.verify_command) add_verify(line);
   line.app.footer(
       "scree COMMAND --help explains a command. Begin with\n"
       "  scree run inputs/tutorial/sand_column_2d.toml");
@@ -205,17 +232,11 @@ int complain(const std::string& message) {
   return user_error;
 }
 
-/// The first word that is neither a command nor an option of scree itself, or nothing wrong.
+/// What is wrong with the word in the place of a command of `app`, or 0: nothing.
 int check_command_word(const CLI::App& app, const std::string& word) {
   const auto names = command_names(app);
   for (const std::string& name : names) {
     if (word == name) return 0;
-  }
-  for (const char* later : {"verify", "post"}) {
-    if (word == later) {
-      return complain("the command \"" + word +
-                      "\" is not available in this version; commands: " + join(names));
-    }
   }
   const std::string near = did_you_mean(word, names);
   return complain("unknown command \"" + word + "\"; commands: " + join(names) +
@@ -235,8 +256,11 @@ std::vector<std::string> option_names(const CLI::App& command) {
 int complain_about(const CLI::ParseError& error, const CLI::App& app,
                    const std::vector<std::string>& words) {
   const CLI::App* command = &app;
-  if (!app.get_subcommands().empty()) command = app.get_subcommands().front();
-  const std::string name = command == &app ? "scree" : "scree " + command->get_name();
+  std::string name = "scree";
+  while (!command->get_subcommands().empty()) {
+    command = command->get_subcommands().front();
+    name += " " + command->get_name();
+  }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     const auto names = option_names(*command);
     for (const std::string& word : words) {
@@ -279,19 +303,27 @@ int guarded(const std::function<int()>& action) {
 
 }  // namespace
 
-int scree_main(int argc, const char* const* argv) {
+int scree_main(int argc, const char* const* argv, const VerifyCommand& verify) {
   CommandLine line;
-  build(line);
+  line.verify_command = verify;
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  build(line, words);
   if (words.empty()) {
     std::cerr << line.app.help();
     return user_error;
   }
   if (words[0].empty() || words[0][0] != '-') {
     if (const int status = check_command_word(line.app, words[0])) return status;
+    if (words[0] == "post" && words.size() > 1 && (words[1].empty() || words[1][0] != '-')) {
+      const CLI::App& post = *line.app.get_subcommand("post");
+      if (const int status = check_command_word(post, words[1])) return status;
+    }
   }
   try {
-    line.app.parse(argc, argv);
+    // What follows "--" is for the library beneath a command.
+    std::vector<std::string> own = words[0] == "post" ? before_dashes(words) : words;
+    std::reverse(own.begin(), own.end());  // as CLI11 wants them
+    line.app.parse(std::move(own));
   } catch (const CLI::Success& request) {  // --help, --version
     return line.app.exit(request);
   } catch (const CLI::ParseError& error) {

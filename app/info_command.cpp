@@ -9,6 +9,7 @@
 #include "app/machine_info.hpp"
 #include "generated/build_info.hpp"
 #include "materials/registry.hpp"
+#include "postproc/project/petsc_solver.hpp"
 #include "solver/base/problems.hpp"
 #include "solver/deck/library_versions.hpp"
 #include "solver/io/library_versions.hpp"
@@ -67,6 +68,7 @@ int info_command() {
   line("CLI11", CLI11_VERSION);
   line("fmt", fmt_version());
   for (const auto& [name, version] : io_library_versions()) line(name, version);
+  line("PETSc", petsc_version());
   return 0;
 }
 

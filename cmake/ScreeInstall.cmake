@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-# What `cmake --install` puts where, beside the program: the picture tool (as scree-render), example decks and documents.
+# What `cmake --install` puts where, beside the program: the scripts of `scree post`, example decks and documents.
 
-if(EXISTS "${CMAKE_SOURCE_DIR}/postproc/render")
-  install(PROGRAMS "${CMAKE_SOURCE_DIR}/postproc/render" TYPE BIN RENAME scree-render)
-endif()
+set(scree_scripts "${CMAKE_INSTALL_DATADIR}/scree/postproc")
+install(PROGRAMS "${CMAKE_SOURCE_DIR}/postproc/render" "${CMAKE_SOURCE_DIR}/postproc/convert" DESTINATION "${scree_scripts}")
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/postproc/picture" DESTINATION "${scree_scripts}" FILES_MATCHING PATTERN "*.py")
 
 foreach(folder inputs docs)
   if(IS_DIRECTORY "${CMAKE_SOURCE_DIR}/${folder}")

@@ -63,31 +63,14 @@ struct CamClayEquation {
   }
 };
 
-}  // namespace detail
-
-/// Closest state on the yield surface, or the trial state itself inside it. Newton's method, kept
-/// inside the bracket of the root by bisection: at one end there is no hardening yet, the other is
-/// the critical state. Converged lanes are frozen, so a lane does not depend on others; without a
-/// lane that yields nothing is solved.
+/// The root of g between lower and upper, from a first guess: Newton's method, kept inside the
+/// bracket by bisection. Only for the lanes of `active`; converged lanes are frozen, so a lane does
+/// not depend on others.
 template <class V, class T>
-SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTrial<V>& trial) {
-  const V zero = broadcast<V>(0), one = broadcast<V>(1);
-  CamClayEnd<V> end{trial.ratio, one, zero, zero};
-  const MaskOf<V> apart = trial.log_ratio <= T(cam_clay_apart);
-  end.keep = select(apart, zero, one);
-  // t on the surface at the trial pressure. Near the p axis its root turns an error e of ln(p/pc)
-  // into sqrt(e). So the trial state yields if it is outside this very end of the bracket; with 1 -
-  // p/pc, which cancels there, states on the surface would be sent to sqrt(e).
-  const V start = sqrt(max(expm1(-trial.log_ratio), zero));
-  const V found = trial.shear / (m * trial.ratio);
-  const MaskOf<V> yields = ((found > start) | (trial.log_ratio > T(0))) & !apart;
-  if (!any(yields)) return end;
-  const V h = (T(2) * (lambda - kappa) / m) * trial.three_shear / trial.volume;
-  detail::CamClayEquation<V, T> g{
-      m, kappa / lambda, trial.log_ratio, trial.shear, h, zero, zero, zero, zero};
-  V lower = min(start, one), upper = max(start, one);
-  V t = min(max(found, lower), upper);
-  MaskOf<V> active = yields;
+SCREE_FN V cam_clay_root(CamClayEquation<V, T>& g, const V& guess, V lower, V upper,
+                         MaskOf<V> active) {
+  const V zero = broadcast<V>(0);
+  V t = min(max(guess, lower), upper);
   // Newton converges quadratically: an error e leaves about e^2. A halved bracket has no such
   // bonus: it ends at the rounding of T. Bisection alone would need the digits of T and those of
   // the widest bracket, about 80 steps.
@@ -107,6 +90,31 @@ SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTria
     active =
         active & (change > select(inside, broadcast<V>(converged), broadcast<V>(rounding)) * next);
   }
+  return t;
+}
+
+}  // namespace detail
+
+/// Closest state on the yield surface, or the trial state itself inside it. The root lies between
+/// the ratio without hardening and the critical state; without a lane that yields nothing is
+/// solved.
+template <class V, class T>
+SCREE_FN CamClayEnd<V> cam_clay_return(T m, T lambda, T kappa, const CamClayTrial<V>& trial) {
+  const V zero = broadcast<V>(0), one = broadcast<V>(1);
+  CamClayEnd<V> end{trial.ratio, one, zero, zero};
+  const MaskOf<V> apart = trial.log_ratio <= T(cam_clay_apart);
+  end.keep = select(apart, zero, one);
+  // t on the surface at the trial pressure. Near the p axis its root turns an error e of ln(p/pc)
+  // into sqrt(e). So the trial state yields if it is outside this very end of the bracket; with 1 -
+  // p/pc, which cancels there, states on the surface would be sent to sqrt(e).
+  const V start = sqrt(max(expm1(-trial.log_ratio), zero));
+  const V found = trial.shear / (m * trial.ratio);
+  const MaskOf<V> yields = ((found > start) | (trial.log_ratio > T(0))) & !apart;
+  if (!any(yields)) return end;
+  const V h = (T(2) * (lambda - kappa) / m) * trial.three_shear / trial.volume;
+  detail::CamClayEquation<V, T> g{
+      m, kappa / lambda, trial.log_ratio, trial.shear, h, zero, zero, zero, zero};
+  const V t = detail::cam_clay_root(g, found, min(start, one), max(start, one), yields);
   g.evaluate(t);
   const V shear = m * t * g.pressure;
   const V smallest = broadcast<V>(sizeof(T) == 4 ? T(1e-30) : T(1e-200));

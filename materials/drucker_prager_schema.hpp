@@ -10,6 +10,13 @@ namespace scree {
 
 namespace detail {
 
+/// No small friction but another law.
+inline Finding no_friction() {
+  return {"friction_angle", "a cone without friction has no tip", "above 0 deg and below 90 deg",
+          "use model = \"von_mises\", whose yield_stress is sqrt(3) times the cohesion in plane "
+          "strain, twice the cohesion in triaxial states"};
+}
+
 /// Friction angle of friction_angle or of h0 to h3, and what is wrong with them.
 inline std::optional<Finding> friction_finding(const DruckerPrager::Input& in) {
   const FrictionHardening h = in.hardening();
@@ -18,10 +25,7 @@ inline std::optional<Finding> friction_finding(const DruckerPrager::Input& in) {
       return Finding{"friction_angle", "required key is missing",
                      "an angle [rad], or friction hardening by h0, h1, h2 and h3",
                      "add friction_angle = ..."};
-    if (in.friction_angle > 0) return std::nullopt;
-    return Finding{"friction_angle", "a cone without friction has no tip", "above 0",
-                   "use model = \"von_mises\", whose yield_stress is sqrt(3) times the cohesion in "
-                   "plane strain, twice the cohesion in triaxial states"};
+    return in.friction_angle > 0 ? std::nullopt : std::optional(no_friction());
   }
   if (!h.all_given())
     return Finding{std::isnan(h.h0)   ? "h0"
@@ -41,6 +45,58 @@ inline std::optional<Finding> friction_finding(const DruckerPrager::Input& in) {
     return Finding{"h1", "lets the friction angle grow to 90 degrees",
                    "h0 + h1/h2 exp(-1 - h2 h3/h1) below 90 deg", "lower h1 or raise h2"};
   return std::nullopt;
+}
+
+/// Lets the last key of the schema refuse zero, which is outside its range, in words of its own.
+inline void explain_zero_friction(Schema<DruckerPrager::Input>& s) {
+  Entry& entry = *s.entries().back();
+  Entry closed = entry;
+  closed.lower_open = false;
+  entry.read = [closed, read = entry.read](void* member, const Value& value,
+                                           const std::string& path, SchemaReader& reader) {
+    Problems elsewhere;
+    double angle = 1;
+    const bool number =
+        SchemaReader(reader.context(), elsewhere).number(closed, value, path, angle);
+    if (!number || angle != 0) return read(member, value, path, reader);
+    const Finding finding = no_friction();
+    reader.report(value, path, finding.message, finding.allowed, finding.repair);
+  };
+}
+
+inline void strength_keys(Schema<DruckerPrager::Input>& s) {
+  using Input = DruckerPrager::Input;
+  constexpr double right_angle = 1.57079632679489662;
+  s.number("friction_angle", &Input::friction_angle, Unit::angle)
+      .typical(0.55)
+      .above(0)
+      .below(right_angle)
+      .fallback_text("required without h0 to h3")
+      .doc(
+          "Friction angle of the Mohr-Coulomb law that the cone stands for; without friction use "
+          "von_mises.");
+  explain_zero_friction(s);
+  s.number("cohesion", &Input::cohesion, Unit::pressure)
+      .at_least(0)
+      .fallback(0.0)
+      .doc("Cohesion of that Mohr-Coulomb law.");
+  s.number("dilation_angle", &Input::dilation_angle, Unit::angle)
+      .at_least(0)
+      .below(right_angle)
+      .fallback(0.0)
+      .doc("Dilation angle, at most friction_angle; 0: plastic shear at constant volume.");
+}
+
+inline std::optional<Finding> dilation_finding(const DruckerPrager::Input& in) {
+  const FrictionHardening h = in.hardening();
+  // 1e-12: h0 - h3 is rounded.
+  const double friction = h.all_given() ? h.angle(0) * (1 + 1e-12) : in.friction_angle;
+  // Without any friction angle the other check speaks.
+  if (std::isnan(friction) || in.dilation_angle <= friction) return std::nullopt;
+  return Finding{"dilation_angle", "dilation above friction would create energy",
+                 h.all_given() ? "0 to h0 - h3" : "0 to friction_angle",
+                 h.all_given() ? "lower dilation_angle or h3"
+                               : "lower dilation_angle or raise friction_angle"};
 }
 
 inline void hardening_keys(Schema<DruckerPrager::Input>& s) {
@@ -71,24 +127,9 @@ inline void hardening_keys(Schema<DruckerPrager::Input>& s) {
 }  // namespace detail
 
 inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
-  constexpr double right_angle = 1.57079632679489662;
   Schema<Input> s(name, "Sand: Hencky elasticity with a Drucker-Prager cone.");
   elastic_keys(s);
-  s.number("friction_angle", &Input::friction_angle, Unit::angle)
-      .typical(0.55)
-      .at_least(0)
-      .below(right_angle)
-      .fallback_text("required without h0 to h3")
-      .doc("Friction angle of the Mohr-Coulomb law that the cone stands for.");
-  s.number("cohesion", &Input::cohesion, Unit::pressure)
-      .at_least(0)
-      .fallback(0.0)
-      .doc("Cohesion of that Mohr-Coulomb law.");
-  s.number("dilation_angle", &Input::dilation_angle, Unit::angle)
-      .at_least(0)
-      .below(right_angle)
-      .fallback(0.0)
-      .doc("Dilation angle, at most friction_angle; 0: plastic shear at constant volume.");
+  detail::strength_keys(s);
   s.choice("match", &Input::match,
            {{"compression", Match::compression},
             {"extension", Match::extension},
@@ -101,17 +142,7 @@ inline Schema<DruckerPrager::Input> DruckerPrager::schema() {
   s.check({"friction_angle", "h0", "h1", "h2", "h3"},
           [](const Input& in, const SchemaContext&) { return detail::friction_finding(in); });
   s.check({"friction_angle", "dilation_angle", "h0", "h3"},
-          [](const Input& in, const SchemaContext&) -> std::optional<Finding> {
-            const FrictionHardening h = in.hardening();
-            // 1e-12: h0 - h3 is rounded.
-            const double friction = h.all_given() ? h.angle(0) * (1 + 1e-12) : in.friction_angle;
-            // Without any friction angle the first check speaks.
-            if (std::isnan(friction) || in.dilation_angle <= friction) return std::nullopt;
-            return Finding{"dilation_angle", "dilation above friction would create energy",
-                           h.all_given() ? "0 to h0 - h3" : "0 to friction_angle",
-                           h.all_given() ? "lower dilation_angle or h3"
-                                         : "lower dilation_angle or raise friction_angle"};
-          });
+          [](const Input& in, const SchemaContext&) { return detail::dilation_finding(in); });
   s.cite(
       "Klar, Gast, Pradhana, Fu, Schroeder, Jiang, Teran, Drucker-Prager elastoplasticity for sand "
       "animation, ACM TOG 35(4), 2016, doi 10.1145/2897824.2925906");

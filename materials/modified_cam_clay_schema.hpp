@@ -7,9 +7,10 @@
 
 namespace scree {
 
-inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
-  using Result = std::optional<Finding>;
-  Schema<Input> s(name, "Clay: modified Cam clay, critical state soil mechanics.");
+namespace detail {
+
+inline void cam_clay_line_keys(Schema<ModifiedCamClay::Input>& s) {
+  using Input = ModifiedCamClay::Input;
   s.number("m", &Input::m).typical(1.2).above(0).doc("Slope M = q/p of the critical state line.");
   s.number("lambda", &Input::lambda)
       .typical(0.2)
@@ -28,6 +29,10 @@ inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
       .typical(2)
       .above(0)
       .doc("Void ratio of the normal compression line at p = 1 kPa, N - 1.");
+}
+
+inline void cam_clay_start_keys(Schema<ModifiedCamClay::Input>& s) {
+  using Input = ModifiedCamClay::Input;
   s.number("initial_pressure", &Input::initial_pressure, Unit::pressure)
       .typical(1e5)
       .above(0)
@@ -47,6 +52,11 @@ inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
       .doc(
           "Overconsolidation ratio at the start, instead of preconsolidation_pressure: pc/p, under "
           "initial_stress at each place pc/(p + q^2/(M^2 p)).");
+}
+
+inline void cam_clay_checks(Schema<ModifiedCamClay::Input>& s) {
+  using Input = ModifiedCamClay::Input;
+  using Result = std::optional<Finding>;
   s.check({"lambda", "kappa"}, [](const Input& in, const SchemaContext&) -> Result {
     if (in.lambda > in.kappa) return std::nullopt;
     return Finding{"lambda", "soil that swells more than it compresses cannot harden",
@@ -69,15 +79,26 @@ inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
                            "at most preconsolidation_pressure",
                            "lower initial_pressure or raise preconsolidation_pressure"};
           });
-  s.check([](const Input& in, const SchemaContext&) -> Result {
-    if (in.lambda <= in.kappa || in.preconsolidation_pressure.has_value() == in.ocr.has_value() ||
-        specific_volume(in) > 1)
-      return std::nullopt;
-    return Finding{
-        "reference_void_ratio",
-        "the initial void ratio, " + std::to_string(specific_volume(in) - 1) + ", is not positive",
-        "above " + std::to_string(in.reference_void_ratio + 1 - specific_volume(in)),
-        "raise reference_void_ratio, or lower lambda or the pressures"};
+}
+
+inline Finding cam_clay_without_voids(const ModifiedCamClay::Input& in, double specific_volume) {
+  return {"reference_void_ratio",
+          "the initial void ratio, " + std::to_string(specific_volume - 1) + ", is not positive",
+          "above " + std::to_string(in.reference_void_ratio + 1 - specific_volume),
+          "raise reference_void_ratio, or lower lambda or the pressures"};
+}
+
+}  // namespace detail
+
+inline Schema<ModifiedCamClay::Input> ModifiedCamClay::schema() {
+  Schema<Input> s(name, "Clay: modified Cam clay, critical state soil mechanics.");
+  detail::cam_clay_line_keys(s);
+  detail::cam_clay_start_keys(s);
+  detail::cam_clay_checks(s);
+  s.check([](const Input& in, const SchemaContext&) -> std::optional<Finding> {
+    const bool known = in.preconsolidation_pressure.has_value() != in.ocr.has_value();
+    if (in.lambda <= in.kappa || !known || specific_volume(in) > 1) return std::nullopt;
+    return detail::cam_clay_without_voids(in, specific_volume(in));
   });
   s.cite(
       "Roscoe, Burland, On the generalised stress-strain behaviour of 'wet' clay, in: Engineering "

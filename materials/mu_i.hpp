@@ -154,8 +154,8 @@ struct MuI : HenckySolid {
  private:
   /// Shear stress t after a step from the trial value t*. With t = t* - mu dt g, and mu(I) solved
   /// for the rate, g = i0 sqrt(p/rho_s)/d (t - mu_s p)/(mu_2 p - t): t is the smaller root of (t* -
-  /// t)(mu_2 p - t) = a (t - mu_s p), a = mu dt i0 sqrt(p/rho_s)/d (Dunatunga and Kamrin, section
-  /// 3.2). The discriminant is written as a sum of positive terms; in dt = 0 the root is t* itself.
+  /// t)(mu_2 p - t) = a (t - mu_s p), a = mu dt i0 sqrt(p/rho_s)/d (Dunatunga, Kamrin 2015). The
+  /// discriminant is written as a sum of positive terms; in dt = 0 the root is t* itself.
   template <class V, class T>
   SCREE_FN static V flowing_stress(const Params<T>& p, V trial, V pressure, T dt) {
     const V slow = p.mu_s * pressure, fast = p.mu_2 * pressure;

@@ -19,7 +19,7 @@ namespace scree {
 /// positive. Yield surface y = (1 + 2 beta) q^2 + M^2 (p + beta p0)(p - p0) with q^2 = 3/2 |s|^2,
 /// p0 = K (sinh(xi max(-alpha, 0)) + p0_offset); alpha is the plastic part of ln J.
 ///
-/// The return, (5) and (6), is the paper's (section 4.2): beyond a tip of the ellipse to that tip;
+/// The return, (5) and (6), is the paper's: beyond a tip of the ellipse to that tip;
 /// else at the trial pressure, towards the p axis, keeping tr b. Hardening, once a step: alpha
 /// grows by ln (J_trial/J) to the tip, or to the point where the ray from the trial stress to the
 /// ellipse's centre meets the ellipse.
@@ -101,7 +101,7 @@ struct Nacc {
     // 1. Trial state: b = U diag(B) U^T and, in units of K, p and q.
     s.F = detail::advance_gradient(L, s.F);
     s.log_volume_ratio = s.log_volume_ratio + detail::log_determinant(L);
-    const SymEigen<V> b = eigen_symmetric(symmetric_product(s.F));
+    const SymEigen<V> b = eigen_symmetric_closed(symmetric_product(s.F));
     const V J = max(det(s.F), broadcast<V>(smallest<T>));
     const Stress<V> trial(p, b.values, J * J);
     const Surface<V> surface(p, s.log_plastic_volume);
@@ -169,7 +169,7 @@ struct Nacc {
   /// y over (M p0)^2, with the p0 of the initial state, but at least K/1000.
   template <class V, class T>
   SCREE_FN static V yield_value(const Params<T>& p, const State<V>& s) {
-    const SymEigen<V> b = eigen_symmetric(symmetric_product(s.F));
+    const SymEigen<V> b = eigen_symmetric_closed(symmetric_product(s.F));
     const V J = max(det(s.F), broadcast<V>(smallest<T>));
     const Stress<V> stress(p, b.values, J * J);
     const Surface<V> surface(p, s.log_plastic_volume);

@@ -101,8 +101,17 @@ class Layout:
                 (self.left + self.plot_width) / self.width, (self.bottom + self.plot_height) / self.height)
 
 
-def add_colour_bar(paper, box, function, shown, all_values, label):
-    """A bar in the pixel box (left, bottom, right, top) with ticks to its right.
+def in_two_lines(words, most):
+    """Breaks a text of more than `most` characters at the space nearest to its middle."""
+    spaces = [i for i, c in enumerate(words) if c == " "]
+    if len(words) <= most or not spaces:
+        return words
+    middle = min(spaces, key=lambda i: abs(i - len(words) / 2))
+    return words[:middle] + "\n" + words[middle + 1:]
+
+
+def add_colour_bar(paper, box, function, shown, all_values, label, notes):
+    """A bar in the pixel box (left, bottom, right, top) with ticks to its right and notes below.
 
     `shown` is the range of the colours; where `all_values` goes beyond it, a note says so.
     """
@@ -121,11 +130,12 @@ def add_colour_bar(paper, box, function, shown, all_values, label):
         y = bottom + (top - bottom) * (value - low) / (high - low)
         paper.line((right, y), (right + 7 * s, y), width=1.5)
         paper.text(right + 13 * s, y, words, valign="middle")
-    paper.text(left, top + 16 * s, label)
+    paper.text(left, top + 16 * s, in_two_lines(label, 18))
     beyond = [f"{name} {value:.2g}" for name, value, outside in
               (("min", all_values[0], all_values[0] < low), ("max", all_values[1], all_values[1] > high)) if outside]
-    if beyond:
-        paper.text(left, bottom - 14 * s, ", ".join(beyond), size=18, valign="top")
+    lines = ([", ".join(beyond)] if beyond else []) + notes
+    if lines:
+        paper.text(left, bottom - 14 * s, "\n".join(lines), size=18, valign="top")
 
 
 def add_flat_axes(paper, layout, scene):
@@ -133,17 +143,24 @@ def add_flat_axes(paper, layout, scene):
     x1, y1 = x0 + layout.plot_width, y0 + layout.plot_height
     for a, b in (((x0, y0), (x1, y0)), ((x1, y0), (x1, y1)), ((x1, y1), (x0, y1)), ((x0, y1), (x0, y0))):
         paper.line(a, b)
-    metre = layout.plot_width / (scene.high[0] - scene.low[0])
-    for value, words in ticks(scene.low[0], scene.high[0], max(2, layout.plot_width / (140 * s))):
-        x = x0 + (value - scene.low[0]) * metre
+
+    def places(direction, start, length, along_page):
+        """Pixels and words of the ticks along a side; an axis may run the other way."""
+        axis, sign = direction
+        low, high = scene.low[axis], scene.high[axis]
+        for value, words in ticks(low, high, max(2, length / ((140 if along_page else 80) * s))):
+            share = (value - low) / (high - low)
+            yield start + length * (share if sign > 0 else 1 - share), words
+
+    for x, words in places(scene.across, x0, layout.plot_width, True):
         paper.line((x, y0), (x, y0 - 8 * s))
         paper.text(x, y0 - 14 * s, words, align="center", valign="top")
-    for value, words in ticks(scene.low[1], scene.high[1], max(2, layout.plot_height / (80 * s))):
-        y = y0 + (value - scene.low[1]) * metre
+    for y, words in places(scene.upward, y0, layout.plot_height, False):
         paper.line((x0, y), (x0 - 8 * s, y))
         paper.text(x0 - 14 * s, y, words, align="right", valign="middle")
-    paper.text((x0 + x1) / 2, y0 - 52 * s, "x (m)", size=24, align="center", valign="top")
-    paper.text(x0 - 96 * s, (y0 + y1) / 2, "y (m)", size=24, align="center", valign="middle", turn=90)
+    across, upward = ("xyz"[direction[0]] + " (m)" for direction in (scene.across, scene.upward))
+    paper.text((x0 + x1) / 2, y0 - 52 * s, across, size=24, align="center", valign="top")
+    paper.text(x0 - 96 * s, (y0 + y1) / 2, upward, size=24, align="center", valign="middle", turn=90)
 
 
 def add_space_axes(paper, layout, scene, renderer):
@@ -151,7 +168,7 @@ def add_space_axes(paper, layout, scene, renderer):
     s = layout.scale
 
     def on_page(point):
-        renderer.SetWorldPoint(*point, 1.0)
+        renderer.SetWorldPoint(*scene.drawn(point), 1.0)
         renderer.WorldToDisplay()
         return renderer.GetDisplayPoint()[:2]
 

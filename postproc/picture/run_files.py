@@ -27,18 +27,25 @@ def read_deck(run):
         raise Mistake(f"{run}/resolved.toml cannot be read: {error}") from error
 
 
-def choose_frame(run, time):
-    """Path and time of the last frame, or of the one nearest to `time`."""
+def list_frames(run):
+    """Path and time of every frame."""
     path = os.path.join(run, "particles.pvd")
     try:
         sets = xml.parse(path).getroot().iter("DataSet")
     except (OSError, xml.ParseError) as error:
         raise Mistake(f"{path} cannot be read: {error}") from error
-    frames = [(float(item.get("timestep")), os.path.join(run, item.get("file"))) for item in sets]
+    frames = [(os.path.join(run, item.get("file")), float(item.get("timestep"))) for item in sets]
     if not frames:
         raise Mistake(f"{path} lists no frames")
-    found = frames[-1] if time is None else min(frames, key=lambda frame: abs(frame[0] - time))
-    return found[1], found[0]
+    return frames
+
+
+def choose_frames(run, time, every):
+    """All frames, the one nearest to `time`, or the last."""
+    frames = list_frames(run)
+    if every:
+        return frames
+    return [frames[-1] if time is None else min(frames, key=lambda frame: abs(frame[1] - time))]
 
 
 def read_frame(path):
@@ -53,7 +60,19 @@ def read_frame(path):
     return data
 
 
-def colour_values(data, field, component):
+def invariant(array, name):
+    """Of a stress that is tension positive: p, the mean pressure, or q = von_mises, sqrt(3/2) |deviator|."""
+    result = vtk.vtkDoubleArray()
+    result.SetNumberOfTuples(array.GetNumberOfTuples())
+    for i in range(array.GetNumberOfTuples()):
+        s = array.GetTuple(i)
+        mean = (s[0] + s[4] + s[8]) / 3
+        q = math.sqrt(1.5 * sum((x - (mean if c % 4 == 0 else 0)) ** 2 for c, x in enumerate(s)))
+        result.SetValue(i, -mean if name == "p" else q)
+    return result
+
+
+def colour_values(data, field, component, of_tensor=None):
     """A scalar array to colour by, and its label."""
     points = data.GetPointData()
     array = points.GetArray(field)
@@ -64,6 +83,10 @@ def colour_values(data, field, component):
     count = array.GetNumberOfComponents()
     if count == 1:
         return array, field.replace("_", " ") + unit
+    if of_tensor is not None:
+        if count != 9:
+            raise Mistake(f"{field} is no tensor and has no {of_tensor}")
+        return invariant(array, of_tensor), f"{field} {of_tensor}{unit}"
     result = vtk.vtkDoubleArray()
     result.SetNumberOfTuples(array.GetNumberOfTuples())
     if component is None:

@@ -14,14 +14,16 @@ VIRIDIS = [(0.267, 0.005, 0.329), (0.283, 0.141, 0.458), (0.254, 0.265, 0.530),
 
 
 class Scene:
-    """Box, particle sizes and directions of a frame."""
+    """Box, particle sizes and directions of a frame.
 
-    def __init__(self, deck, data, crop):
+    Lengths along gravity are drawn `exaggeration` times as long; `low` and `high` are true lengths.
+    """
+
+    def __init__(self, deck, data, crop, view="iso", exaggeration=1.0):
         domain = deck.get("domain", {})
         bounds = data.GetBounds()
         low, high = list(bounds[0::2]), list(bounds[1::2])
-        flat = high[2] == low[2]
-        self.dimension = domain.get("dimension", 2 if flat else 3)
+        self.dimension = domain.get("dimension", 2 if high[2] == low[2] else 3)
         cell = domain.get("cell_size")
         if cell is None:  # a guess that fills the bounding box
             sizes = [high[i] - low[i] for i in range(self.dimension)]
@@ -36,6 +38,15 @@ class Scene:
             high = [x + pad for x in high]
         self.low, self.high = low, high
         self.right, self.depth, self.up = self.directions(deck)
+        self.flat = self.dimension == 2 or view != "iso"
+        if self.dimension == 2:
+            self.right, self.depth, self.up = (0, 1), (2, -1), (1, 1)
+        self.stretch = [1.0, 1.0, 1.0]
+        self.stretch[self.up[0]] = exaggeration
+        # What points right, up and into the page where the view is flat.
+        self.across, self.upward, self.into = {
+            "side": (self.depth, self.up, (self.right[0], -self.right[1])),
+            "top": (self.right, self.depth, (self.up[0], -self.up[1]))}.get(view, (self.right, self.up, self.depth))
 
     def directions(self, deck):
         """The axes that point right, into the picture and up, the last against gravity; a sign with each."""
@@ -43,6 +54,10 @@ class Scene:
         acting = [i for i, g in enumerate(gravity) if str(g) not in ("0", "0.0", "-0.0")]
         up = acting[-1] if acting else 2
         return {0: ((1, 1), (2, 1), (0, 1)), 1: ((0, 1), (2, -1), (1, 1)), 2: ((0, 1), (1, 1), (2, 1))}[up]
+
+    def drawn(self, point):
+        """Where a point is drawn."""
+        return [x * s for x, s in zip(point, self.stretch)]
 
     def corner(self, right, depth, up):
         """A corner of the box: 0 or 1 along each of the picture's directions."""
@@ -54,16 +69,21 @@ class Scene:
 
 
 def flat_view(scene, camera):
-    middle = [(a + b) / 2 for a, b in zip(scene.low, scene.high)]
+    """Looks straight along an axis."""
+    middle = scene.drawn([(a + b) / 2 for a, b in zip(scene.low, scene.high)])
+    size = math.dist(scene.drawn(scene.low), scene.drawn(scene.high))
+    position, up = list(middle), [0.0, 0.0, 0.0]
+    position[scene.into[0]] -= scene.into[1] * 2 * size
+    up[scene.upward[0]] = scene.upward[1]
     camera.SetFocalPoint(*middle)
-    camera.SetPosition(middle[0], middle[1], middle[2] + 1)
-    camera.SetParallelScale((scene.high[1] - scene.low[1]) / 2)
+    camera.SetPosition(*position)
+    camera.SetViewUp(*up)
 
 
 def space_view(scene, camera):
     """Looks along `depth`, somewhat from the right and from above."""
-    middle = [(a + b) / 2 for a, b in zip(scene.low, scene.high)]
-    size = math.dist(scene.low, scene.high)
+    middle = scene.drawn([(a + b) / 2 for a, b in zip(scene.low, scene.high)])
+    size = math.dist(scene.drawn(scene.low), scene.drawn(scene.high))
     position, up = list(middle), [0.0, 0.0, 0.0]
     for (axis, sign), share in ((scene.right, 0.5), (scene.depth, -1.0), (scene.up, 0.45)):
         position[axis] += sign * share * 3 * size
@@ -76,7 +96,7 @@ def space_view(scene, camera):
 def projected_box(scene, camera):
     """Extent of the box across the view: right and up, about the focal point [m]."""
     matrix = camera.GetViewTransformMatrix()
-    corners = [scene.corner(r, d, u) for r in (0, 1) for d in (0, 1) for u in (0, 1)]
+    corners = [scene.drawn(scene.corner(r, d, u)) for r in (0, 1) for d in (0, 1) for u in (0, 1)]
     across = [matrix.MultiplyPoint((*corner, 1.0))[:2] for corner in corners]
     return [max(p[i] for p in across) - min(p[i] for p in across) for i in (0, 1)]
 
@@ -85,6 +105,7 @@ def colour_function(low, high):
     function = vtk.vtkColorTransferFunction()
     for i, colour in enumerate(VIRIDIS):
         function.AddRGBPoint(low + (high - low) * i / (len(VIRIDIS) - 1), *colour)
+    function.SetNanColor(*FAINT)  # materials without the field
     return function
 
 
@@ -114,6 +135,7 @@ def particle_actors(scene, data, values, function, pixels_per_metre):
         actor = vtk.vtkActor()
         actor.SetMapper(mapper)
         flat = scene.dimension == 2
+        actor.SetScale(*scene.stretch)
         # Wider than the particles' distance, to close the gaps of a moderately deformed body.
         size = (2.0 if flat else 1.25) * scene.sizes[group or 0] * pixels_per_metre
         style = actor.GetProperty()
@@ -126,7 +148,7 @@ def particle_actors(scene, data, values, function, pixels_per_metre):
 
 def box_edges(scene):
     box = vtk.vtkOutlineSource()
-    box.SetBounds(*(x for pair in zip(scene.low, scene.high) for x in pair))
+    box.SetBounds(*(x for pair in zip(scene.drawn(scene.low), scene.drawn(scene.high)) for x in pair))
     mapper = vtk.vtkPolyDataMapper()
     mapper.SetInputConnection(box.GetOutputPort())
     actor = vtk.vtkActor()

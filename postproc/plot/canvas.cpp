@@ -148,6 +148,13 @@ void Canvas::dot(Pixel centre, double radius, Colour colour) {
   line({centre}, everything, colour, 2 * radius);
 }
 
+void Canvas::fill(const Frame& frame, Colour colour) {
+  const auto first = [](double x) { return static_cast<int>(std::lround(x)); };
+  for (int y = first(frame.bottom); y < first(frame.top); ++y) {
+    for (int x = first(frame.left); x < first(frame.right); ++x) blend(x, y, colour, 1);
+  }
+}
+
 int Canvas::text(Pixel at, const std::string& words, double size, Anchor along, Anchor across,
                  bool bold, bool upward) {
   vtkNew<vtkTextProperty> style;

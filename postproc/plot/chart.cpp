@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "postproc/plot/svg_drawing.hpp"
+
 namespace scree {
 namespace {
 
@@ -42,20 +44,24 @@ std::vector<double> even_ticks(const Axis& axis, double most) {
   return values;
 }
 
-/// 1, 2 and 5 of each decade; over less than a decade, where these are few, round numbers of equal
-/// distance, as many as their labels leave room for.
+/// 1, 2 and 5 of each decade, or powers of ten alone over more than three; over less than a decade,
+/// where these are few, round numbers of equal distance, as many as their labels leave room for.
 std::vector<double> logarithmic_ticks(const Axis& axis) {
   std::vector<double> values;
-  for (double power = std::pow(10.0, std::floor(std::log10(axis.low))); power <= axis.high;
-       power *= 10) {
+  const double decades = std::log10(axis.high / axis.low);
+  const auto every = std::max(1, static_cast<int>(std::ceil(decades / 8)));
+  for (int exponent = static_cast<int>(std::floor(std::log10(axis.low)));
+       std::pow(10.0, exponent) <= axis.high; exponent += decades > 3 ? every : 1) {
+    const double power = std::pow(10.0, exponent);
     for (const double factor : {1.0, 2.0, 5.0}) {
+      if (decades > 3 && factor > 1) continue;
       const double value = factor * power;
       if (value >= axis.low * (1 - 1e-9) && value <= axis.high * (1 + 1e-9)) {
         values.push_back(value);
       }
     }
   }
-  if (values.size() > 3) return values;
+  if (values.size() > 3 || decades > 2) return values;
   constexpr double room = 0.09;
   values.clear();
   for (const double value : even_ticks(axis, 8)) {
@@ -70,10 +76,21 @@ std::vector<double> ticks(const Axis& axis, double most) {
   return axis.logarithmic ? logarithmic_ticks(axis) : even_ticks(axis, most);
 }
 
+/// "20", "0.02", and below a thousandth "5e-4": short, for the axis' own label stands beside it.
 std::string tick_text(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  std::snprintf(text, sizeof text, value != 0 && std::abs(value) < 1e-3 ? "%.2e" : "%.6g", value);
+  std::string result = text;
+  const std::size_t e = result.find('e');
+  if (e == std::string::npos) return result;
+  std::string digits = result.substr(0, e), power = result.substr(e + 1);
+  if (digits.find('.') != std::string::npos) {
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+  }
+  const bool negative = power[0] == '-';
+  power.erase(0, std::min(power.find_first_not_of("+-0"), power.size() - 1));
+  return digits + (negative ? "e-" : "e") + power;
 }
 
 /// The range of the curves, widened to whole ticks; a constant gets room around it.
@@ -83,11 +100,12 @@ Axis choose_axis(const Chart& chart, std::vector<double> Curve::*values, bool lo
   for (const Curve& curve : chart.curves) {
     if (!curve.frames) continue;
     for (const double value : curve.*values) {
+      if (!std::isfinite(value) || (logarithmic && !(value > 0))) continue;
       low = std::min(low, value);
       high = std::max(high, value);
     }
   }
-  if (low > high) return {};
+  if (low > high) return {logarithmic ? 0.1 : 0.0, 1, logarithmic};
   if (logarithmic) return {low / 1.1, high * 1.1, true};
   // What is flat to four digits is shown as flat: labels have few digits.
   const double size = std::max(std::abs(low), std::abs(high));
@@ -107,22 +125,44 @@ Axis choose_axis(const Chart& chart, std::vector<double> Curve::*values, bool lo
 
 constexpr double legend_height = 34;
 
-bool has_legend(const Chart& chart) {
-  return std::any_of(chart.curves.begin(), chart.curves.end(),
-                     [](const Curve& curve) { return !curve.name.empty(); });
+/// About how long an entry of the legend is, in pixels of the design: letters are half as wide as
+/// high.
+double entry_length(const Curve& curve) {
+  return 84 + 0.47 * text_size * static_cast<double>(curve.name.size());
 }
+
+/// Lines of the legend over axes of this length.
+int legend_lines(const Chart& chart, double length) {
+  int lines = 0;
+  double used = length;
+  for (const Curve& curve : chart.curves) {
+    if (curve.name.empty()) continue;
+    const double more = entry_length(curve);
+    if (lines == 0 || used + more > length) {
+      ++lines;
+      used = 0;
+    }
+    used += more;
+  }
+  return lines;
+}
+
+constexpr double left_room = 120, right_room = 30;  ///< beside the axes, for labels
 
 /// Draws in the plotted area of one chart.
 class ChartPainter {
  public:
-  ChartPainter(Canvas& canvas, const Frame& frame, const Chart& chart)
+  ChartPainter(Drawing& canvas, const Frame& frame, const Chart& chart, double scale)
       : canvas_(canvas),
         chart_(chart),
-        scale_(canvas.width() / 1600.0),
-        area_{frame.left + 120 * scale_, frame.bottom + 80 * scale_, frame.right - 30 * scale_,
-              frame.top - (20 + (has_legend(chart) ? legend_height : 0)) * scale_},
+        scale_(scale > 0 ? scale : canvas.width() / 1600.0),
+        legend_lines_(
+            legend_lines(chart, (frame.right - frame.left) / scale_ - left_room - right_room)),
+        area_{frame.left + left_room * scale_, frame.bottom + 80 * scale_,
+              frame.right - right_room * scale_,
+              frame.top - (20 + legend_lines_ * legend_height) * scale_},
         x_(choose_axis(chart, &Curve::x, chart.logarithmic_x, 6)),
-        y_(choose_axis(chart, &Curve::y, false, 6)) {}
+        y_(choose_axis(chart, &Curve::y, chart.logarithmic_y, 6)) {}
 
   void draw() {
     draw_axes();
@@ -171,58 +211,118 @@ class ChartPainter {
     std::vector<Pixel> points;
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
       if (x_.logarithmic && !(curve.x[i] > 0)) continue;
+      if (y_.logarithmic && !(curve.y[i] > 0)) continue;
       points.push_back(place(curve.x[i], curve.y[i]));
     }
     if (points.empty()) return;
-    canvas_.line(points, area_, curve.colour, curve.thickness * scale_,
-                 curve.dashed ? 11 * scale_ : 0);
+    if (curve.line) {
+      canvas_.line(points, area_, curve.colour, curve.thickness * scale_,
+                   curve.dashed ? 11 * scale_ : 0);
+    }
     if (curve.start) canvas_.dot(points.front(), 7 * scale_, curve.colour);
+    if (!curve.dots) return;
+    for (const Pixel& p : points) {
+      const bool inside = p.x >= area_.left - 1 && p.x <= area_.right + 1 &&
+                          p.y >= area_.bottom - 1 && p.y <= area_.top + 1;
+      if (inside) canvas_.dot(p, 5 * scale_, curve.colour);
+    }
+  }
+
+  /// The sign of a curve in the legend.
+  void draw_sign(const Curve& curve, double x, double y) {
+    const double s = scale_;
+    const Frame all{0, 0, canvas_.width() - 1.0, canvas_.height() - 1.0};
+    if (curve.line) {
+      canvas_.line({{x, y}, {x + 44 * s, y}}, all, curve.colour, curve.thickness * s,
+                   curve.dashed ? 11 * s : 0);
+    }
+    if (curve.dots) canvas_.dot({x + 22 * s, y}, 5 * s, curve.colour);
   }
 
   void draw_legend() {
     const double s = scale_;
-    const Frame all{0, 0, canvas_.width() - 1.0, canvas_.height() - 1.0};
-    const double y = area_.top + 0.6 * legend_height * s;
-    double x = area_.left;
+    double y = area_.top + (legend_lines_ - 0.4) * legend_height * s;
+    double x = area_.left, used = 0;
     for (const Curve& curve : chart_.curves) {
       if (curve.name.empty()) continue;
-      canvas_.line({{x, y}, {x + 44 * s, y}}, all, curve.colour, curve.thickness * s,
-                   curve.dashed ? 11 * s : 0);
+      const double more = entry_length(curve);
+      if (used > 0 && used + more > (area_.right - area_.left) / s) {
+        y -= legend_height * s;
+        x = area_.left;
+        used = 0;
+      }
+      used += more;
+      draw_sign(curve, x, y);
       x += 54 * s;
       x += canvas_.text({x, y}, curve.name, text_size * s, Anchor::low, Anchor::middle) + 30 * s;
     }
   }
 
-  Canvas& canvas_;
+  Drawing& canvas_;
   const Chart& chart_;
   double scale_;
+  int legend_lines_;
   Frame area_;
   Axis x_, y_;
 };
 
 }  // namespace
 
-void draw_chart(Canvas& canvas, const Frame& frame, const Chart& chart) {
-  ChartPainter(canvas, frame, chart).draw();
+double legend_room(const Chart& chart, double width) {
+  return legend_height * legend_lines(chart, width - left_room - right_room);
 }
 
-Canvas draw_page(const std::string& title, const std::string& subtitle,
-                 const std::vector<Chart>& charts) {
-  constexpr int width = 1600, row_height = 560, head = 110;
-  const int rows = static_cast<int>((charts.size() + 1) / 2);
-  const bool legend = std::any_of(charts.begin(), charts.end(), has_legend);
-  Canvas canvas(width, head + rows * row_height + 20);
+void draw_chart(Drawing& canvas, const Frame& frame, const Chart& chart, double scale) {
+  ChartPainter(canvas, frame, chart, scale).draw();
+}
+
+namespace {
+
+constexpr int page_width = 1600, row_height = 560, head = 110;
+
+int page_height(const std::vector<Chart>& charts) {
+  return head + static_cast<int>((charts.size() + 1) / 2) * row_height + 20;
+}
+
+void fill_page(Drawing& canvas, const std::string& title, const std::string& subtitle,
+               const std::vector<Chart>& charts) {
+  // A single chart has the whole width.
+  const double width = charts.size() == 1 ? 1560 : 780;
+  const auto lines = [&](const Chart& chart) {
+    return legend_lines(chart, width - left_room - right_room);
+  };
+  int most = 0;
+  for (const Chart& chart : charts) most = std::max(most, lines(chart));
   const double top = canvas.height() - 24;
   canvas.text({60, top}, title, 34, Anchor::low, Anchor::high, true);
   canvas.text({60, top - 46}, subtitle, 24, Anchor::low, Anchor::high);
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const double left = 20 + 780.0 * static_cast<double>(i % 2);
     const double upper = canvas.height() - head - row_height * static_cast<double>(i / 2);
-    // Charts without a legend leave its room, too: axes of a row end at one height.
-    const double room = legend && !has_legend(charts[i]) ? legend_height : 0;
-    draw_chart(canvas, {left, upper - row_height + 10, left + 780, upper - room}, charts[i]);
+    // Charts with a smaller legend leave the same room: axes of a row end at one height.
+    const double room = legend_height * (most - lines(charts[i]));
+    draw_chart(canvas, {left, upper - row_height + 10, left + width, upper - room}, charts[i]);
   }
+}
+
+}  // namespace
+
+Canvas draw_page(const std::string& title, const std::string& subtitle,
+                 const std::vector<Chart>& charts) {
+  Canvas canvas(page_width, page_height(charts));
+  fill_page(canvas, title, subtitle, charts);
   return canvas;
+}
+
+void write_page(const std::string& path, const std::string& mark, const std::string& title,
+                const std::string& subtitle, const std::vector<Chart>& charts) {
+  if (!path.ends_with(".svg")) {
+    draw_page(title, subtitle, charts).write_png(path, mark);
+    return;
+  }
+  SvgDrawing drawing(page_width, page_height(charts));
+  fill_page(drawing, title, subtitle, charts);
+  drawing.write(path, mark);
 }
 
 }  // namespace scree

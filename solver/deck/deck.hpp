@@ -10,10 +10,12 @@
 
 #include "solver/base/problems.hpp"
 #include "solver/base/schema.hpp"
+#include "solver/base/value.hpp"
 #include "solver/boundary/collider_spec.hpp"
 #include "solver/boundary/face_spec.hpp"
 #include "solver/boundary/traction_spec.hpp"
 #include "solver/io/output_spec.hpp"
+#include "solver/io/sample_spec.hpp"
 #include "solver/particles/body_spec.hpp"
 #include "solver/simulation/domain_spec.hpp"
 #include "solver/simulation/method_spec.hpp"
@@ -44,12 +46,18 @@ struct Deck {
   BoundarySpec boundary;
   std::vector<ColliderSpec> colliders;
   OutputSpec output;
+  std::vector<OutputSpec> frames;  ///< further series
   HistorySpec history;
+  std::vector<ProbeSpec> probes;
+  std::vector<ProfileSpec> profiles;
+  std::vector<SectionSpec> sections;
   CheckpointSpec checkpoint;
   std::set<std::string> given;  ///< dotted paths of the keys the user wrote
 
   /// The material of that name, or nullptr.
   const MaterialSpec* find_material(const std::string& name) const;
+  /// Whether frames or tables hold this particle field.
+  bool wants_field(const std::string& name) const;
 };
 
 /// Reads a deck and checks everything that can be known without running it. `overrides` are
@@ -60,6 +68,9 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
 /// The same for a deck in memory; `source` names it in messages.
 Deck read_deck_text(const std::string& text, const std::string& source,
                     const std::vector<std::string>& overrides, Problems& problems);
+
+/// The same for a document that was read already, e.g. one that was completed before.
+Deck read_deck_document(Value document, const std::string& source, Problems& problems);
 
 /// The keys of a whole deck.
 const Schema<Deck>& deck_schema();

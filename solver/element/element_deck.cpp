@@ -107,4 +107,10 @@ ElementDeck read_element_text(const std::string& text, const std::string& source
   return deck;
 }
 
+ElementDeck read_element_document(Value document, const std::string& source, Problems& problems) {
+  ElementDeck deck = interpret(std::move(document), {}, problems);
+  set_name(deck, source);
+  return deck;
+}
+
 }  // namespace scree

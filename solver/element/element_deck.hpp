@@ -6,6 +6,7 @@
 
 #include "solver/base/problems.hpp"
 #include "solver/base/schema.hpp"
+#include "solver/base/value.hpp"
 #include "solver/deck/deck.hpp"
 #include "solver/element/path_spec.hpp"
 
@@ -30,5 +31,8 @@ ElementDeck read_element_deck(const std::string& path, const std::vector<std::st
 /// The same for a deck in memory; `source` names it in messages.
 ElementDeck read_element_text(const std::string& text, const std::string& source,
                               const std::vector<std::string>& overrides, Problems& problems);
+
+/// The same for a document that was read already.
+ElementDeck read_element_document(Value document, const std::string& source, Problems& problems);
 
 }  // namespace scree

@@ -47,51 +47,12 @@ inline double infinite_slope_acceleration(double theta, double cone_slope, doubl
   return g * (std::sin(theta) - cone_slope / std::sqrt(3.0) * std::cos(theta));
 }
 
-/// Angular momentum about its centre of a cylinder (radius R, length L along y) with v_x = rate *
-/// y: integral rho y v_x = rho rate pi R^2 L^3/12 (as a magnitude; the z component is minus this).
-inline double shearing_rod_angular_momentum(double density, double rate, double radius,
-                                            double length) {
-  return density * rate * std::numbers::pi * radius * radius * length * length * length / 12;
-}
-
 // ---------------------------------------------------------------- elasticity
 
 /// lambda + 2 mu = E (1 - nu)/((1 + nu)(1 - 2 nu)) [Pa].
 inline double oedometric_modulus(double youngs_modulus, double poissons_ratio) {
   return youngs_modulus * (1 - poissons_ratio) / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
 }
-
-/// Laterally confined column of height H under its own weight, base fixed, fixed-corotated:
-/// sigma_yy = P = -rho g (H - X) for every model (J F^-T_yy = 1), P = (lambda + 2 mu)(s - 1), so
-/// u = rho g/(lambda + 2 mu) (X^2/2 - H X). X is the height of a material point before loading.
-struct SelfWeightColumn {
-  double height, density, gravity, modulus;  ///< modulus = lambda + 2 mu
-  double stress(double X) const { return -density * gravity * (height - X); }
-  double stretch(double X) const { return 1 + stress(X) / modulus; }
-  double displacement(double X) const {
-    return density * gravity / modulus * (X * X / 2 - height * X);
-  }
-  double period() const { return 4 * height / std::sqrt(modulus / density); }
-};
-
-/// Bar fixed at x = 0 and free at x = L with velocity v0 sin(pi x/(2 L)) at t = 0; exact at any
-/// amplitude for the confined fixed-corotated solid in material coordinates, c^2 = (lambda + 2
-/// mu)/rho.
-struct BarVibration {
-  double length, wave_speed, v0;
-  double wave_number() const { return std::numbers::pi / (2 * length); }
-  double frequency() const { return wave_number() * wave_speed; }  ///< rad/s
-  double period() const { return 4 * length / wave_speed; }
-  double displacement(double x, double t) const {
-    return v0 / frequency() * std::sin(frequency() * t) * std::sin(wave_number() * x);
-  }
-  double velocity(double x, double t) const {
-    return v0 * std::cos(frequency() * t) * std::sin(wave_number() * x);
-  }
-  double mean_velocity(double t) const {
-    return v0 * std::cos(frequency() * t) / (wave_number() * length);
-  }
-};
 
 // ---------------------------------------------------------------- granular matter
 

@@ -85,8 +85,10 @@ TEST(Reference, ModelsHaveTheKeysOfEveryMaterial) {
             std::string::npos)
       << sand;
   EXPECT_NE(sand.find("\n  density\n"), std::string::npos) << sand;
-  EXPECT_NE(sand.find("number [rad, or \"... deg\"], at least 0 deg and below 90 deg"),
-            std::string::npos)
+  EXPECT_NE(
+      sand.find("\n  friction_angle\n      number [rad, or \"... deg\"], above 0 deg and below "
+                "90 deg"),
+      std::string::npos)
       << sand;
   EXPECT_NE(sand.find("at most friction_angle"), std::string::npos) << sand;
   const std::string fluid = reference_text(reference, "j_fluid");

@@ -38,35 +38,6 @@ TEST(ClosedForms, infinite_slope) {
   EXPECT_NEAR(infinite_slope_acceleration(std::atan(0.692820), M), 0, 1e-5);
 }
 
-TEST(ClosedForms, rod_of_the_momentum_test) {
-  EXPECT_NEAR(shearing_rod_angular_momentum(1000, 12.8, 5.0 / 256, 40.0 / 256), 4.876394e-3, 1e-9);
-}
-
-TEST(ClosedForms, self_weight_column) {
-  const SelfWeightColumn column{10, 1000, 10, oedometric_modulus(1e6, 0)};
-  EXPECT_NEAR(column.displacement(10), -0.5, 1e-15);
-  EXPECT_NEAR(column.stretch(0), 0.9, 1e-15);
-  const double h = 1e-4;
-  for (double X : {1.0, 4.0, 9.0}) {
-    EXPECT_NEAR((column.displacement(X + h) - column.displacement(X - h)) / (2 * h),
-                column.stretch(X) - 1, 1e-10);
-    EXPECT_NEAR((column.stress(X + h) - column.stress(X - h)) / (2 * h), 1000 * 10.0, 1e-6);
-  }
-}
-
-TEST(ClosedForms, bar_vibration_solves_the_wave_equation) {
-  const BarVibration bar{25, 10, 0.1};
-  EXPECT_NEAR(bar.period(), 10, 1e-14);
-  EXPECT_NEAR(bar.mean_velocity(0), 0.063662, 1e-6);
-  const double h = 1e-3, x = 7, t = 1.3;
-  const auto u = [&](double a, double b) { return bar.displacement(a, b); };
-  const double utt = (u(x, t + h) - 2 * u(x, t) + u(x, t - h)) / (h * h);
-  const double uxx = (u(x + h, t) - 2 * u(x, t) + u(x - h, t)) / (h * h);
-  EXPECT_NEAR(utt, 100 * uxx, 1e-7);
-  EXPECT_NEAR((u(x, t + h) - u(x, t - h)) / (2 * h), bar.velocity(x, t), 1e-8);
-  EXPECT_EQ(bar.displacement(0, t), 0);
-}
-
 TEST(ClosedForms, cones) {
   EXPECT_NEAR(cone_slope_compression(30 * degree), 1.2, 1e-15);
   EXPECT_NEAR(cone_slope_extension(30 * degree), 0.8571, 5e-5);

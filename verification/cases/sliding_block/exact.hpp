@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A rigid block on a plane inclined by theta with Coulomb's friction mu, from rest: it slides with
+//   a = g (sin theta - mu cos theta),   s = a t^2/2,
+// if mu < tan theta, else it stays. Coulomb, Theorie des machines simples, 1821; any textbook of
+// mechanics. The block here is elastic and its load sudden: it swings about its compression under
+// its weight, rho g h^2/(2 M) = 5e-7 m, which the mean of many swings does not feel.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "verification/suite/measured.hpp"
+#include "verification/suite/run.hpp"
+
+namespace scree::verify::cases::sliding_block {
+
+struct Case {
+  static void measure(const Run& run, Measured& out) {
+    const double theta = run.number("theta"), mu = run.number("mu"), g = run.number("g");
+    const double a = std::max(g * (std::sin(theta) - mu * std::cos(theta)), 0.0);
+    const HistoryRow& first = run.history.front();
+    std::vector<double> t, s, exact;
+    for (const HistoryRow& row : run.history) {
+      t.push_back(row.time);
+      s.push_back(row.center[0] - first.center[0]);
+      exact.push_back(a * row.time * row.time / 2);
+    }
+    if (a > 0) {
+      out.value("displacement", s.back(), exact.back());
+      out.value("displacement error", std::abs(s.back() / exact.back() - 1));
+    } else {
+      // From half the time on gravity is whole and the block at rest.
+      out.value("creep", std::abs(s.back() - s[s.size() / 2]) / run.number("cell"));
+      out.value("elastic shear", s.back() / run.number("cell"));
+    }
+    out.figure("Displacement along the plane, friction " + short_number(mu), "time (s)",
+               "displacement (m)")
+        .computed(t, s)
+        .exact(t, exact);
+  }
+
+ private:
+  static std::string short_number(double x) {
+    const std::string text = std::to_string(x);
+    return text.substr(0, text.find('.') + 2);
+  }
+};
+
+}  // namespace scree::verify::cases::sliding_block
