@@ -23,6 +23,7 @@ void SimulationImpl<D, T>::update_external() {
   if (!external_) return;
   constexpr int width = ParticleStore<D, T>::width;
   const auto start = std::chrono::steady_clock::now();
+  backend_->give_particles();
   for (State& state : bodies_) {
     ParticleStore<D, T>& store = state.body->store();
     for (const auto& block : store.blocks()) {
@@ -46,6 +47,7 @@ void SimulationImpl<D, T>::update_external() {
       }
     }
   }
+  backend_->take_aux(layout_.external, D);
   time_phase(Phase::external, start);
 }
 

@@ -7,9 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/boundary/collider.hpp"
-#include "solver/grid/grid.hpp"
-#include "solver/grid/grid_update.hpp"
+#include "solver/simulation/backend.hpp"
 #include "solver/simulation/external_force.hpp"
 #include "solver/simulation/particle_view.hpp"
 #include "solver/simulation/simulation.hpp"
@@ -17,25 +15,6 @@
 #include "solver/step/body.hpp"
 
 namespace scree {
-
-/// A body with what the passes need besides its particles.
-template <int D, class T>
-struct BodyState {
-  std::unique_ptr<Body<D, T>> body;
-  std::vector<std::int32_t> grid_block;                        ///< body block -> topology block
-  std::vector<std::int32_t> coords;                            ///< D per body block
-  std::vector<BlockResult<T>> results;                         ///< one per body block
-  std::array<std::vector<std::int32_t>, power(2, D)> colours;  ///< body blocks of one parity each
-  std::vector<std::int32_t> all_blocks;
-  std::int64_t first_id = 0;
-};
-
-/// The block of a body where something is largest.
-template <int D>
-struct BlockPlace {
-  int body = -1;  ///< -1: not known
-  BlockCoord<D> block{};
-};
 
 struct FieldSource;
 class MaterialPoint;
@@ -64,18 +43,20 @@ class SimulationImpl final : public Simulation {
   std::vector<GridSnapshot> grid() const override;
   void save(StateWriter& writer) const override;
   void load(const StateReader& reader) override;
-  std::int64_t block_count() const override { return grid_.topology().size(); }
+  std::int64_t block_count() const override { return backend_->grid().topology().size(); }
   MemoryReport memory() const override;
   PhaseTimes phases() const override;
   StepTraffic traffic() const override;
 
  private:
   using State = BodyState<D, T>;
+  using Parameters = std::vector<PassParameters<T>>;
 
   // simulation_setup.cpp
   GridDomain<D> make_domain() const;
   Faces<D> make_faces() const;
   AuxLayout make_layout() const;
+  std::unique_ptr<Backend<D, T>> make_backend();
   void add_body(const BodySetup& setup, std::int32_t index);
   void place_particles(const BodySetup& setup, State& state);
   void set_motion(const BodySetup& setup, std::size_t p, const std::array<double, 3>& local,
@@ -86,17 +67,15 @@ class SimulationImpl final : public Simulation {
   void step_fused();
   void step_split();
   void bin_if_needed();
-  void refresh_blocks();
   void update_grid();
   void scatter_all(double dt);
   void update_external();
   void finish_step();
   PassParameters<T> pass_parameters(const State& state, double dt, double dt_next) const;
-  PassData<D, T> pass_data(State& state, double dt, double dt_next);
-  void check_faults() const;
-  void read_motion();
-  void read_signals();
-  [[noreturn]] void fail(const State& state, std::size_t block) const;
+  Parameters parameters(double dt, double dt_next) const;
+  void read_motion(const PassReport<D>& report);
+  void read_signals(const PassReport<D>& report);
+  void check_fault(const typename PassReport<D>::Fault& found) const;
   void check_mass(double grid_mass) const;
   void check_count() const;
   void time_phase(Phase phase, std::chrono::steady_clock::time_point start) {
@@ -123,8 +102,6 @@ class SimulationImpl final : public Simulation {
   void write_strain_rate(const ParticleView& particle, const State& state, double* out) const;
   void fill_lattice(const GridSnapshot& snapshot, int lattice, std::vector<double>& mass,
                     std::vector<double>& velocity) const;
-  /// The grid that holds the velocities of the last step.
-  const AlignedVector<T>& velocity_channel() const { return fused_ ? next_ : current_; }
 
   SimulationSetup setup_;
   bool fused_ = true;
@@ -132,12 +109,8 @@ class SimulationImpl final : public Simulation {
   AuxLayout layout_;
   mutable Executor executor_;  ///< its threads also serve const sums
   GridDomain<D> domain_;
-  Grid<D, T> grid_;
-  GridUpdate<D, T> grid_update_;
-  AlignedVector<T> current_;  ///< momenta, after update_grid() velocities
-  AlignedVector<T> next_;     ///< fused: the grid scattered to
-  AlignedVector<T> extra_;    ///< channel 1: impulses, then velocity changes
   std::vector<State> bodies_;
+  std::unique_ptr<Backend<D, T>> backend_;  ///< refers to bodies_ and executor_
   std::vector<Collider> colliders_;
   std::unique_ptr<ExternalForce> external_;
   std::vector<double> reference_;  ///< X by particle id, 3 each [m]

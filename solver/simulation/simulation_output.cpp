@@ -54,7 +54,7 @@ void add_particle(BlockSums& sums, const ParticleView& p, double mass, double vo
 template <int D, class T>
 std::int64_t SimulationImpl<D, T>::particle_count() const {
   std::int64_t count = -pending_dead_;
-  for (const State& state : bodies_) count += state.body->store().count();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) count += backend_->count(i);
   return count;
 }
 
@@ -68,6 +68,7 @@ void SimulationImpl<D, T>::require_record(const char* what) const {
 template <int D, class T>
 HistoryRow SimulationImpl<D, T>::history() const {
   require_record("history");
+  backend_->give_particles();
   BlockSums total;
   HistoryRow row;
   for (const State& state : bodies_) {
@@ -79,12 +80,7 @@ HistoryRow SimulationImpl<D, T>::history() const {
       });
     });
     for (const BlockSums& s : sums) total.add(s);
-    row.mass += double(state.body->store().count()) * info.particle_mass();
-  }
-  for (const State& state : bodies_) {
-    for (const auto& result : state.results) {
-      row.mass -= double(result.dead) * state.body->info().particle_mass();
-    }
+    row.mass += double(state.body->store().count() - state.dead) * info.particle_mass();
   }
   row.step = step_;
   row.time = clock_.time;
@@ -100,7 +96,7 @@ HistoryRow SimulationImpl<D, T>::history() const {
   row.max_speed = total.max_speed;
   for (std::size_t c = 0; c < colliders_.size(); ++c) {
     const Reaction none;
-    const Reaction& r = c < grid_update_.reactions().size() ? grid_update_.reactions()[c] : none;
+    const Reaction& r = c < backend_->reactions().size() ? backend_->reactions()[c] : none;
     row.collider_force_torque.push_back(
         {r.force[0], r.force[1], r.force[2], r.torque[0], r.torque[1], r.torque[2]});
   }
@@ -110,14 +106,9 @@ HistoryRow SimulationImpl<D, T>::history() const {
 template <int D, class T>
 MemoryReport SimulationImpl<D, T>::memory() const {
   MemoryReport report;
-  for (const State& state : bodies_) {
-    report.particles += state.body->store().bytes();
-    report.other += std::int64_t(state.results.capacity() * sizeof(BlockResult<T>));
-  }
-  report.grid =
-      std::int64_t((current_.capacity() + next_.capacity() + extra_.capacity()) * sizeof(T));
-  report.grid += std::int64_t(grid_.topology().size()) * (8 + 4 * neighbour_count<D>);
-  report.other += executor_.bytes() + std::int64_t(reference_.capacity() * sizeof(double));
+  for (const State& state : bodies_) report.particles += state.body->store().bytes();
+  report.grid = backend_->grid_bytes();
+  report.other = backend_->other_bytes() + std::int64_t(reference_.capacity() * sizeof(double));
   return report;
 }
 

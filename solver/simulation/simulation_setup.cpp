@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/simulation/cpu_backend.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 #include "solver/transfer/compact.hpp"
 #include "solver/transfer/quadratic.hpp"
@@ -70,9 +71,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
       separate_(needs_separate_force(setup_)),
       layout_(make_layout()),
       executor_(setup_.threads),
-      domain_(make_domain()),
-      grid_(lattices_of(setup_.kernel)),
-      grid_update_(domain_, make_faces(), setup_.lower, setup_.cell_size) {
+      domain_(make_domain()) {
   if (fused_ && !can_fuse(setup_)) {
     throw UserError(
         "the fused path needs transfer mls with the compact or quadratic kernel, without "
@@ -89,17 +88,17 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
   }
   if (setup_.body_force || !setup_.tractions.empty()) {
     external_ = std::make_unique<ExternalForce>(setup_.body_force, setup_.tractions, D, first_id,
-                                                mass, particle_count());
+                                                mass, initial_count_);
     setup_.tractions.clear();
   }
+  backend_ = make_backend();
+  backend_->take_particles();
   // Of the bodies' setups the output still needs the laws' inputs; the particles' arrays go.
   for (BodySetup& body : setup_.bodies) {
     BodySetup rest;
     rest.input = std::move(body.input);
     body = std::move(rest);
   }
-  initial_count_ = particle_count();
-  refresh_blocks();
   first_step();
 }
 
@@ -127,6 +126,20 @@ Faces<D> SimulationImpl<D, T>::make_faces() const {
     faces.friction[a] = setup_.face_friction[a];
   }
   return faces;
+}
+
+template <int D, class T>
+std::unique_ptr<Backend<D, T>> SimulationImpl<D, T>::make_backend() {
+  BackendConfig<D> config;
+  config.kernel = setup_.kernel;
+  config.transfer = setup_.transfer;
+  config.fused = fused_;
+  config.separate_force = separate_;
+  config.domain = domain_;
+  config.faces = make_faces();
+  config.lower = setup_.lower;
+  config.cell_size = setup_.cell_size;
+  return std::make_unique<CpuBackend<D, T>>(config, layout_, bodies_, executor_);
 }
 
 template <int D, class T>
@@ -158,7 +171,7 @@ void SimulationImpl<D, T>::add_body(const BodySetup& setup, std::int32_t index) 
   info.density = setup.density;
   info.undrained_bulk_modulus = setup.undrained_bulk_modulus;
   State state;
-  state.first_id = particle_count();
+  state.first_id = initial_count_;
   state.body = make_body<D, T>(info, setup.input);
   state.body->store().resize_aux(layout_.total);
   place_particles(setup, state);
@@ -167,6 +180,7 @@ void SimulationImpl<D, T>::add_body(const BodySetup& setup, std::int32_t index) 
   if (setup_.keep_reference) {
     reference_.insert(reference_.end(), setup.position.begin(), setup.position.end());
   }
+  initial_count_ += state.body->store().count();
   bodies_.push_back(std::move(state));
 }
 

@@ -124,6 +124,7 @@ template <int D, class T>
 ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>& fields,
                                                  const ParticleFilter& filter) const {
   require_record("particles");
+  backend_->give_particles();
   ParticleSnapshot out;
   out.time = clock_.time;
   out.step = step_;
@@ -249,12 +250,13 @@ void SimulationImpl<D, T>::write_strain_rate(const ParticleView& particle, const
 
 template <int D, class T>
 std::vector<GridSnapshot> SimulationImpl<D, T>::grid() const {
+  const Grid<D, T>& blocks = backend_->grid();
   std::vector<GridSnapshot> out;
-  for (int lattice = 0; lattice < grid_.lattices(); ++lattice) {
+  for (int lattice = 0; lattice < blocks.lattices(); ++lattice) {
     GridSnapshot snapshot;
     snapshot.time = clock_.time;
     snapshot.step = step_;
-    snapshot.lattice = grid_.lattices() == 1 ? "nodes" : lattice == 0 ? "minus" : "plus";
+    snapshot.lattice = blocks.lattices() == 1 ? "nodes" : lattice == 0 ? "minus" : "plus";
     snapshot.spacing = setup_.cell_size;
     std::int64_t total = 1;
     for (int a = 0; a < D; ++a) {
@@ -276,11 +278,12 @@ template <int D, class T>
 void SimulationImpl<D, T>::fill_lattice(const GridSnapshot& snapshot, int lattice,
                                         std::vector<double>& mass,
                                         std::vector<double>& velocity) const {
-  const AlignedVector<T>& channel = velocity_channel();
-  if (channel.size() != grid_.size()) return;
-  for (int b = 0; b < grid_.topology().size(); ++b) {
+  const Grid<D, T>& blocks = backend_->grid();
+  const AlignedVector<T>& channel = backend_->velocities();
+  if (channel.size() != blocks.size()) return;
+  for (int b = 0; b < blocks.topology().size(); ++b) {
     for (int n = 0; n < block_node_count<D>; ++n) {
-      const BlockCoord<D> node = grid_.node(b, n);
+      const BlockCoord<D> node = blocks.node(b, n);
       std::int64_t at = 0;
       bool inside = true;
       for (int a = D - 1; a >= 0; --a) {
@@ -289,7 +292,7 @@ void SimulationImpl<D, T>::fill_lattice(const GridSnapshot& snapshot, int lattic
       }
       if (!inside) continue;
       const std::size_t record =
-          (std::size_t(b) * std::size_t(grid_.lattices()) + std::size_t(lattice)) *
+          (std::size_t(b) * std::size_t(blocks.lattices()) + std::size_t(lattice)) *
               block_node_count<D> +
           std::size_t(n);
       const T* values = channel.data() + record * node_values;

@@ -60,6 +60,19 @@ void load_particles(const StateReader& reader, const std::string& name,
   store.finish_blocks();
 }
 
+/// Those that are marked dead and not yet dropped.
+template <int D, class T>
+std::int64_t dead_particles(const ParticleStore<D, T>& store) {
+  constexpr int width = ParticleStore<D, T>::width;
+  std::int64_t dead = 0;
+  for (const auto& block : store.blocks()) {
+    for (int i = 0; i < block.count; ++i) {
+      if (store.ids(block.batches[std::size_t(i / width)])[i % width] < 0) ++dead;
+    }
+  }
+  return dead;
+}
+
 }  // namespace
 
 template <int D, class T>
@@ -71,13 +84,15 @@ void SimulationImpl<D, T>::save(StateWriter& writer) const {
   writer.put("counters",
              std::vector<std::int64_t>{step_, removed_, pending_dead_, recorded_ ? 1 : 0});
   writer.put_value("scattered_mass", scattered_mass_);
+  backend_->give_particles();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     save_particles(writer, fmt::format("body_{}", b), bodies_[b].body->store());
   }
   if (fused_) {
-    std::vector<std::int64_t> keys(grid_.topology().keys().begin(), grid_.topology().keys().end());
-    writer.put("grid/block_keys", keys);
-    writer.put("grid/momentum", std::span<const T>(current_.data(), current_.size()));
+    const std::vector<std::uint64_t>& active = backend_->grid().topology().keys();
+    const AlignedVector<T>& momenta = backend_->momenta();
+    writer.put("grid/block_keys", std::vector<std::int64_t>(active.begin(), active.end()));
+    writer.put("grid/momentum", std::span<const T>(momenta.data(), momenta.size()));
   }
   for (const Collider& collider : colliders_) collider.save(writer);
   if (external_) external_->save(writer);
@@ -97,20 +112,21 @@ void SimulationImpl<D, T>::load(const StateReader& reader) {
   scattered_mass_ = reader.get_value<double>("scattered_mass");
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     load_particles(reader, fmt::format("body_{}", b), bodies_[b].body->store());
+    bodies_[b].dead = dead_particles(bodies_[b].body->store());
   }
-  refresh_blocks();
+  backend_->take_particles();
   if (fused_) {
     const auto keys = reader.get<std::int64_t>("grid/block_keys");
     const auto momentum = reader.get<T>("grid/momentum");
-    const auto& active = grid_.topology().keys();
+    const auto& active = backend_->grid().topology().keys();
     const auto same = [](std::int64_t a, std::uint64_t b) {
       return static_cast<std::uint64_t>(a) == b;
     };
     if (!std::equal(keys.begin(), keys.end(), active.begin(), active.end(), same) ||
-        momentum.size() != grid_.size()) {
+        momentum.size() != backend_->grid().size()) {
       throw RunFault("the checkpoint's grid does not match its particles");
     }
-    current_.assign(momentum.begin(), momentum.end());
+    backend_->set_momenta(momentum);
   }
   for (Collider& collider : colliders_) collider.load(reader);
   if (external_) external_->load(reader);

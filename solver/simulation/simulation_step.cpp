@@ -6,25 +6,10 @@
 #include "solver/base/error.hpp"
 #include "solver/simulation/fault_text.hpp"
 #include "solver/simulation/simulation_impl.hpp"
-#include "solver/step/split_passes.hpp"
 
 namespace scree {
 
 using Clock = std::chrono::steady_clock;
-
-namespace {
-
-/// A maximum over blocks and where it is.
-template <int D, class T>
-void raise(double& most, double value, BlockPlace<D>& place, const BodyState<D, T>& state,
-           std::size_t block) {
-  if (!(value > most)) return;
-  most = value;
-  place.body = state.body->info().body_index;
-  for (int a = 0; a < D; ++a) place.block[a] = state.coords[block * D + std::size_t(a)];
-}
-
-}  // namespace
 
 template <int D, class T>
 void SimulationImpl<D, T>::step() {
@@ -46,18 +31,11 @@ void SimulationImpl<D, T>::step_fused() {
   const PlannedStep next = plan(clock_.next_time, step_ + 1);
   const auto start = Clock::now();
   recorded_ = setup_.record && setup_.schedule.record_due(clock_.next_time);
-  grid_.clear(next_, executor_.pool());
-  for (State& state : bodies_) {
-    PassData<D, T> data = pass_data(state, clock_.dt, next.dt);
-    data.write[0] = next_.data();
-    for (const auto& colour : state.colours) {
-      state.body->g2p2g(executor_, data, colour, setup_.kernel);
-    }
-  }
-  std::swap(current_, next_);
+  backend_->g2p2g(parameters(clock_.dt, next.dt));
+  const PassReport<D> report = backend_->report();
   time_phase(Phase::particles, start);
-  read_motion();
-  read_signals();
+  read_motion(report);
+  read_signals(report);
   planned_ = next;
 }
 
@@ -68,51 +46,42 @@ void SimulationImpl<D, T>::step_split() {
   scatter_all(clock_.dt);
   update_grid();
   planned_ = plan(clock_.next_time, step_ + 1);
+  const Parameters pass = parameters(clock_.dt, clock_.dt);
   auto start = Clock::now();
-  for (State& state : bodies_) {
-    const PassData<D, T> data = pass_data(state, clock_.dt, clock_.dt);
-    run_g2p(setup_.kernel, setup_.transfer, executor_, data, state.all_blocks);
-  }
+  backend_->g2p(pass);
+  const PassReport<D> motion = backend_->report();
   time_phase(Phase::particles, start);
-  read_motion();
+  read_motion(motion);
   start = Clock::now();
-  for (State& state : bodies_) {
-    state.body->stress(executor_, pass_data(state, clock_.dt, clock_.dt), state.all_blocks);
-  }
+  backend_->stress(pass);
+  const PassReport<D> signals = backend_->report();
   time_phase(Phase::stress, start);
-  read_signals();
+  read_signals(signals);
   recorded_ = true;
 }
 
 /// Stress of the initial state, first step, first scatter.
 template <int D, class T>
 void SimulationImpl<D, T>::first_step() {
-  for (State& state : bodies_) {
-    state.body->stress(executor_, pass_data(state, 0, 0), state.all_blocks);
-  }
-  read_signals();
+  backend_->stress(parameters(0, 0));
+  read_signals(backend_->report());
   const PlannedStep first = plan_first();
   clock_ = {0, first.dt, first.end, 0};
   if (!fused_) return;
   scatter_all(clock_.dt);
   if (setup_.record) return;
-  for (State& state : bodies_) state.body->store().resize_aux(0);
   layout_ = AuxLayout{};
+  backend_->set_layout(layout_);
 }
 
 /// Particles to grid from the stored velocities and stresses, forces over a step dt.
 template <int D, class T>
 void SimulationImpl<D, T>::scatter_all(double dt) {
   const auto start = Clock::now();
-  grid_.clear(current_, executor_.pool());
-  if (separate_) grid_.clear(extra_, executor_.pool());
+  backend_->p2g(parameters(dt, dt));
   scattered_mass_ = 0;
-  for (State& state : bodies_) {
-    const PassData<D, T> data = pass_data(state, dt, dt);
-    for (const auto& colour : state.colours) {
-      run_p2g(setup_.kernel, setup_.transfer, executor_, data, colour);
-    }
-    scattered_mass_ += double(state.body->store().count()) * state.body->info().particle_mass();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    scattered_mass_ += double(backend_->count(i)) * bodies_[i].body->info().particle_mass();
   }
   time_phase(Phase::particles, start);
 }
@@ -126,9 +95,7 @@ void SimulationImpl<D, T>::update_grid() {
   forces.damping = setup_.damping;
   forces.damping_value = setup_.damping_value;
   forces.separate_force = separate_;
-  const double mass =
-      grid_update_.apply(grid_, current_, extra_, forces, colliders_, executor_.pool());
-  check_mass(mass);
+  backend_->update_grid(forces, colliders_);
   time_phase(Phase::grid, start);
 }
 
@@ -162,52 +129,11 @@ void SimulationImpl<D, T>::bin_if_needed() {
   for (int a = 0; a < D; ++a) {
     if (setup_.faces[a][0] == FaceType::periodic) wrap[a] = domain_.cells[a];
   }
-  bool changed = false;
-  for (State& state : bodies_) changed |= state.body->store().rebin(wrap);
+  backend_->bin(wrap);
+  for (State& state : bodies_) state.dead = 0;
   pending_dead_ = 0;
   bounds_.max_excursion = 0;
-  if (changed) {
-    const Topology<D> before = grid_.topology();
-    // A particle that is moved to the other side takes along the blocks beyond the face.
-    if (fused_) grid_update_.fold_periodic(current_);
-    refresh_blocks();
-    if (fused_) grid_.carry_over(before, current_);
-  } else {
-    for (State& state : bodies_) state.results.assign(state.results.size(), BlockResult<T>{});
-  }
   time_phase(Phase::binning, start);
-}
-
-/// Rebuilds what hangs on the set of blocks.
-template <int D, class T>
-void SimulationImpl<D, T>::refresh_blocks() {
-  std::vector<std::uint64_t> occupied;
-  for (const State& state : bodies_) {
-    for (const auto& block : state.body->store().blocks()) occupied.push_back(block.key);
-  }
-  std::sort(occupied.begin(), occupied.end());
-  occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
-  grid_.topology().build(occupied, domain_);
-  grid_update_.rebuild(grid_);
-  for (State& state : bodies_) {
-    const auto& blocks = state.body->store().blocks();
-    state.grid_block.clear();
-    state.coords.clear();
-    state.all_blocks.clear();
-    for (auto& colour : state.colours) colour.clear();
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-      const BlockCoord<D> c = block_coord<D>(blocks[b].key);
-      std::size_t colour = 0;
-      for (int a = 0; a < D; ++a) {
-        state.coords.push_back(c[a]);
-        colour = 2 * colour + std::size_t(c[a] & 1);
-      }
-      state.grid_block.push_back(grid_.topology().find(blocks[b].key));
-      state.colours[colour].push_back(std::int32_t(b));
-      state.all_blocks.push_back(std::int32_t(b));
-    }
-    state.results.assign(blocks.size(), BlockResult<T>{});
-  }
 }
 
 template <int D, class T>
@@ -240,92 +166,60 @@ PassParameters<T> SimulationImpl<D, T>::pass_parameters(const State& state, doub
   return par;
 }
 
+/// The parameters of a pass, one a body.
 template <int D, class T>
-PassData<D, T> SimulationImpl<D, T>::pass_data(State& state, double dt, double dt_next) {
-  ParticleStore<D, T>& store = state.body->store();
-  PassData<D, T> data;
-  data.parameters = pass_parameters(state, dt, dt_next);
-  data.layout = layout_;
-  data.fields = store.fields();
-  data.particles = store.count() > 0 ? store.batch(0) : nullptr;
-  data.aux = store.count() > 0 ? store.aux_batch(0) : nullptr;
-  data.ids = store.count() > 0 ? store.ids(0) : nullptr;
-  data.batch_begin = store.batch_begin().data();
-  data.batch_list = store.batch_list().data();
-  data.counts = store.counts().data();
-  data.grid_block = state.grid_block.data();
-  data.coords = state.coords.data();
-  data.neighbours = grid_.topology().neighbour_table().data();
-  data.read[0] = current_.data();
-  data.read[1] = extra_.data();
-  data.write[0] = current_.data();
-  data.write[1] = extra_.data();
-  data.results = state.results.data();
-  return data;
+auto SimulationImpl<D, T>::parameters(double dt, double dt_next) const -> Parameters {
+  Parameters all;
+  for (const State& state : bodies_) all.push_back(pass_parameters(state, dt, dt_next));
+  return all;
 }
 
-/// Stops at the first fault, in the order of bodies and blocks, so that it is always the same one.
+/// Speeds, strays and leavers of the pass that moved the particles, after the grid it read.
 template <int D, class T>
-void SimulationImpl<D, T>::check_faults() const {
-  for (const State& state : bodies_) {
-    for (std::size_t b = 0; b < state.results.size(); ++b) {
-      if (state.results[b].fault != FaultCode::none) fail(state, b);
-    }
-  }
-}
-
-/// Speeds, strays and leavers of the pass that moved the particles.
-template <int D, class T>
-void SimulationImpl<D, T>::read_motion() {
-  check_faults();
-  bounds_.max_speed = bounds_.max_excursion = 0;
+void SimulationImpl<D, T>::read_motion(const PassReport<D>& report) {
+  check_mass(report.grid_mass);
+  check_fault(report.fault);
+  bounds_.max_speed = report.max_speed;
+  bounds_.max_excursion = report.max_excursion;
+  if (report.fastest.body >= 0) fastest_ = report.fastest;
   pending_dead_ = 0;
   scattered_mass_ = 0;
-  for (const State& state : bodies_) {
-    std::int64_t dead = 0;
-    for (std::size_t b = 0; b < state.results.size(); ++b) {
-      const BlockResult<T>& result = state.results[b];
-      raise(bounds_.max_speed, double(result.max_speed), fastest_, state, b);
-      bounds_.max_excursion = std::max(bounds_.max_excursion, double(result.max_excursion));
-      dead += result.dead;
-    }
-    pending_dead_ += dead;
-    scattered_mass_ +=
-        double(state.body->store().count() - dead) * state.body->info().particle_mass();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    State& state = bodies_[i];
+    state.dead = report.dead[i];
+    pending_dead_ += state.dead;
+    scattered_mass_ += double(backend_->count(i) - state.dead) * state.body->info().particle_mass();
   }
   removed_ += pending_dead_;
 }
 
 /// Wave speeds of the pass that updated the materials.
 template <int D, class T>
-void SimulationImpl<D, T>::read_signals() {
-  check_faults();
-  bounds_.max_signal = 0;
-  for (const State& state : bodies_) {
-    for (std::size_t b = 0; b < state.results.size(); ++b) {
-      raise(bounds_.max_signal, double(state.results[b].max_signal), stiffest_, state, b);
-    }
-  }
+void SimulationImpl<D, T>::read_signals(const PassReport<D>& report) {
+  check_fault(report.fault);
+  bounds_.max_signal = report.max_signal;
+  if (report.stiffest.body >= 0) stiffest_ = report.stiffest;
 }
 
+/// Stops the run at a fault.
 template <int D, class T>
-void SimulationImpl<D, T>::fail(const State& state, std::size_t block) const {
-  const BlockResult<T>& result = state.results[block];
+void SimulationImpl<D, T>::check_fault(const typename PassReport<D>::Fault& found) const {
+  if (found.code == FaultCode::none) return;
+  const BodyInfo& info = bodies_[std::size_t(found.body)].body->info();
   ParticleFault fault;
-  fault.code = result.fault;
+  fault.code = found.code;
   fault.step = step_ + 1;
-  fault.id = result.fault_id;
-  fault.material = state.body->info().material;
-  fault.value = double(result.fault_value);
-  if (const MaterialEntry* law = find_material_model(state.body->info().model)) {
+  fault.id = found.id;
+  fault.material = info.material;
+  fault.value = found.value;
+  if (const MaterialEntry* law = find_material_model(info.model)) {
     fault.inadmissible = law->inadmissible;
   }
   fault.fixed_step = setup_.step.has_value();
   fault.dimension = D;
-  for (int a = 0; a < D; ++a) {
-    const double cells = double(block_cells) * state.coords[block * D + std::size_t(a)] +
-                         double(result.fault_position[a]);
-    fault.position[std::size_t(a)] = setup_.lower[std::size_t(a)] + setup_.cell_size * cells;
+  for (std::size_t a = 0; a < D; ++a) {
+    const double cells = double(block_cells) * found.block[a] + found.position[a];
+    fault.position[a] = setup_.lower[a] + setup_.cell_size * cells;
   }
   throw RunFault(fault_text(fault));
 }

@@ -23,7 +23,7 @@ StepTraffic SimulationImpl<D, T>::traffic() const {
                          std::int64_t(sizeof(T));  // read and written once, padding too
     traffic.grid += std::int64_t(store.blocks().size()) * arena_nodes * record * arena_accesses;
   }
-  traffic.grid += std::int64_t(grid_.size() * sizeof(T)) * grid_accesses;
+  traffic.grid += std::int64_t(backend_->grid().size() * sizeof(T)) * grid_accesses;
   return traffic;
 }
 
