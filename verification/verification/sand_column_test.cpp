@@ -4,12 +4,13 @@
 // read from a deck as a user writes it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "app/build_simulation.hpp"
 #include "solver/deck/deck.hpp"
+#include "verification/suite/front.hpp"
 #include "verification/support/scene.hpp"
 
 namespace scree::testing {
@@ -54,9 +55,7 @@ double run_out(double aspect, const std::string& floor) {
   EXPECT_EQ(simulation->removed_count(), 0);
   std::vector<double> x;
   for (std::size_t p = 0; p < snapshot.id.size(); ++p) x.push_back(snapshot.position[3 * p]);
-  std::sort(x.begin(), x.end());
-  const double front = x[static_cast<std::size_t>(0.995 * static_cast<double>(x.size()))];
-  return (front - width) / width;
+  return (verify::front_of(std::move(x)) - width) / width;
 }
 
 const char* const rough = "{ type = \"friction\", coefficient = 0.6 }";  // tan(31 deg)

@@ -14,11 +14,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "verification/suite/front.hpp"
 #include "verification/suite/measured.hpp"
 #include "verification/suite/run.hpp"
 
@@ -43,12 +44,10 @@ struct Case {
   }
 
  private:
-  /// The place that leaves 99.5 % of the water behind it: spray is no front.
-  static double front_of(const ParticleFrame& frame) {
+  static double front(const ParticleFrame& frame) {
     std::vector<double> x;
     for (std::size_t p = 0; p < frame.size(); ++p) x.push_back(frame.x(p)[0]);
-    std::sort(x.begin(), x.end());
-    return x[static_cast<std::size_t>(0.995 * static_cast<double>(x.size()))];
+    return front_of(std::move(x));
   }
 
   static void measure_front(const Run& run, Measured& out) {
@@ -58,7 +57,7 @@ struct Case {
     for (int f = 0; f < static_cast<int>(run.frames.size()); ++f) {
       const ParticleFrame frame = run.frame(f);
       t.push_back(frame.time() / run.number("lead"));
-      z.push_back(front_of(frame) / run.number("width"));
+      z.push_back(front(frame) / run.number("width"));
     }
     double largest = 0;
     for (std::size_t i = 0; i < T.size(); ++i) {
@@ -99,7 +98,7 @@ struct Case {
     const std::size_t at = static_cast<std::size_t>(dam / strip);
     out.value("depth at the dam", (h[at - 1] + h[at]) / 2 / h0, 4.0 / 9);
     const double c = std::sqrt(g * h0);
-    out.value("front speed over 2 c", (front_of(end) - dam) / end.time() / (2 * c));
+    out.value("front speed over 2 c", (front(end) - dam) / end.time() / (2 * c));
     out.figure("Depth of the emptying reservoir", "x (m)", "depth (m)")
         .computed(x, h)
         .exact(x, exact, "Ritter 1892");

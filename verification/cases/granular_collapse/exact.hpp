@@ -14,8 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "verification/suite/front.hpp"
 #include "verification/suite/measured.hpp"
 #include "verification/suite/run.hpp"
 
@@ -76,15 +78,13 @@ struct Case {
   }
 
  private:
-  /// Front that leaves 99.5 % of the grains behind it [m].
-  static double front_of(const Run& run) {
+  static double front(const Run& run) {
     const ParticleFrame end = run.frame();
     std::vector<double> x;
     for (std::size_t p = 0; p < end.size(); ++p) x.push_back(end.x(p)[0]);
-    std::sort(x.begin(), x.end());
-    return x[static_cast<std::size_t>(0.995 * static_cast<double>(x.size()))];
+    return front_of(std::move(x));
   }
-  static double run_out_of(const Run& run) { return front_of(run) / run.number("width") - 1; }
+  static double run_out_of(const Run& run) { return front(run) / run.number("width") - 1; }
 
   /// Height of the deposit at the left edges of columns of one cell: its highest particle and half
   /// the distance of two of them.
@@ -135,7 +135,7 @@ struct Case {
       squares += off * off / double(measured.x.size());
     }
     out.value("surface error", std::sqrt(squares));
-    out.value("front", front_of(run), 0.402);  // of the area below the points, 99.5 %
+    out.value("front", front(run), 0.402);  // of the area below the points, 99.5 %
     const Points failure = failure_line(run);
     double largest = 0;
     for (std::size_t i = 0; i < failure.x.size(); ++i)

@@ -10,8 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "verification/suite/front.hpp"
 #include "verification/suite/measured.hpp"
 #include "verification/suite/run.hpp"
 
@@ -38,8 +40,7 @@ struct Case {
       along_x += end.x(p)[0];
       along_y += end.x(p)[1];
     }
-    std::sort(radii.begin(), radii.end());
-    const double front = radii[static_cast<std::size_t>(0.995 * double(radii.size()))];
+    const double front = front_of(std::move(radii));
     const double run_out = front / r0 - 1, height = profile[0] / r0;
     out.value("run-out over the shorter law",
               run_out / std::min(lube_run_out(a), lajeunesse_run_out(a)));
