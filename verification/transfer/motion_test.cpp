@@ -148,9 +148,9 @@ TEST_P(MotionTest, uniform_stress_stays_uniform) {
 /// Kinetic energy about the centre of mass of a disk that vibrates, as a share of the first, in a
 /// frame of reference that moves with `wind`.
 std::vector<double> energies_of_a_vibration(const Method& method, const Vector& wind) {
-  const double h = 0.05;
+  const double h = 0.025;
   const Jelly soft{1000, 0.3, 1000};
-  SimulationSetup setup = make_setup(2, method, h, {48, 32, 1});
+  SimulationSetup setup = make_setup(2, method, h, {96, 64, 1});
   const Vector center(0.7, 0.7, 0), reach(0.25, 0.25, 0);
   const auto points = lattice(center - reach, center + reach, h / 4, 2,
                               [&](const Vector& x) { return (x - center).norm() < 0.2; });
