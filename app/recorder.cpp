@@ -51,7 +51,7 @@ Recorder::Recorder(const RunFolder& folder, OutputSpec output, bool checkpoints,
       grid_(folder.path(), "grid", output_.precision) {}
 
 void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names) {
-  history_ = HistoryWriter::create(history_path_, collider_names);
+  history_ = HistoryWriter::create(history_path_, collider_names, simulation.coupled());
   record(simulation);
 }
 
@@ -64,7 +64,8 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
   take_events(time);
   particles_.resume(checkpoint.get<double>("run/particle_frame_times"));
   grid_.resume(checkpoint.get<double>("run/grid_frame_times"));
-  history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count());
+  history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count(),
+                                   simulation.coupled());
   history_time_ = time;
 }
 

@@ -10,6 +10,9 @@ find_package(muparser REQUIRED)
 # The MPI build of HDF5, which PETSc also links: two HDF5 libraries in one process lock files against each other.
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-openmpi)
+# Real numbers, 32-bit indices; starts, with MPI, where a run first needs it.
+pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
+find_package(MPI REQUIRED COMPONENTS C)
 
 # Components must be listed: without a list VTK demands Qt.
 find_package(VTK 9.1 REQUIRED COMPONENTS CommonCore CommonDataModel CommonExecutionModel IOXML IOImage RenderingFreeType)

@@ -69,7 +69,7 @@ set(files_VTK "^(solver/io/.*\\.cpp|postproc/.*\\.cpp|verification/.*)$")
 set(header_MPI "^mpi\\.h$")
 set(files_MPI "^$") # no file yet
 set(header_PETSc "^petsc")
-set(files_PETSc "^$") # no file yet
+set(files_PETSc "^solver/coupling/pressure_solver\\.cpp$")
 set(header_CUDA "^(cuda|cub/|thrust/|cooperative_groups)")
 set(files_CUDA "^solver/.*(\\.cuh?|/cuda_[a-z_]*\\.hpp)$")
 set(header_Eigen "^Eigen/")

@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string header_line(const std::vector<std::string>& collider_names) {
-  return fmt::format("{}\n", fmt::join(history_columns(collider_names), ","));
+std::string header_line(const std::vector<std::string>& collider_names, bool fluid) {
+  return fmt::format("{}\n", fmt::join(history_columns(collider_names, fluid), ","));
 }
 
 FileDescriptor open_for_append(const fs::path& path, int flags) {
@@ -57,12 +57,17 @@ void append_numbers(std::string& line, const double* values, int count) {
 
 }  // namespace
 
-std::vector<std::string> history_columns(const std::vector<std::string>& collider_names) {
+std::vector<std::string> history_columns(const std::vector<std::string>& collider_names,
+                                         bool fluid) {
   std::vector<std::string> names = {"step", "time", "dt", "particle_count", "mass"};
   for (const char* vector : {"momentum", "angular_momentum", "center"}) {
     for (const char* axis : {"x", "y", "z"}) names.push_back(fmt::format("{}_{}", vector, axis));
   }
   names.insert(names.end(), {"kinetic_energy", "elastic_energy", "max_speed"});
+  if (fluid) {
+    names.insert(names.end(),
+                 {"fluid_mass", "fluid_outflow", "fluid_balance_error", "pressure_iterations"});
+  }
   for (const std::string& collider : collider_names) {
     for (const char* vector : {"force", "torque"}) {
       for (const char* axis : {"x", "y", "z"}) {
@@ -73,21 +78,26 @@ std::vector<std::string> history_columns(const std::vector<std::string>& collide
   return names;
 }
 
-HistoryWriter::HistoryWriter(fs::path path, FileDescriptor file, std::size_t collider_count)
-    : path_(std::move(path)), file_(std::move(file)), collider_count_(collider_count) {}
+HistoryWriter::HistoryWriter(fs::path path, FileDescriptor file, std::size_t collider_count,
+                             bool fluid)
+    : path_(std::move(path)),
+      file_(std::move(file)),
+      collider_count_(collider_count),
+      fluid_(fluid) {}
 
 HistoryWriter HistoryWriter::create(const fs::path& path,
-                                    const std::vector<std::string>& collider_names) {
-  HistoryWriter writer(path, open_for_append(path, O_CREAT | O_TRUNC), collider_names.size());
-  writer.append(header_line(collider_names));
+                                    const std::vector<std::string>& collider_names, bool fluid) {
+  HistoryWriter writer(path, open_for_append(path, O_CREAT | O_TRUNC), collider_names.size(),
+                       fluid);
+  writer.append(header_line(collider_names, fluid));
   return writer;
 }
 
 HistoryWriter HistoryWriter::resume(const fs::path& path,
                                     const std::vector<std::string>& collider_names,
-                                    std::int64_t last_step) {
+                                    std::int64_t last_step, bool fluid) {
   const std::string text = read_all(path);
-  const std::string header = header_line(collider_names);
+  const std::string header = header_line(collider_names, fluid);
   if (!text.starts_with(header)) {
     throw RunFault(fmt::format("{} has other columns than this run writes; it cannot be continued",
                                path.string()));
@@ -97,12 +107,15 @@ HistoryWriter HistoryWriter::resume(const fs::path& path,
   if (::ftruncate(file.get(), static_cast<off_t>(kept)) != 0) {
     throw RunFault(write_failure(path, errno));
   }
-  return HistoryWriter(path, std::move(file), collider_names.size());
+  return HistoryWriter(path, std::move(file), collider_names.size(), fluid);
 }
 
 void HistoryWriter::add(const HistoryRow& row) {
   if (row.collider_force_torque.size() != collider_count_) {
     throw std::logic_error("history row with another number of colliders than the header");
+  }
+  if (row.fluid.has_value() != fluid_) {
+    throw std::logic_error("history row with pore water where the header has none, or without");
   }
   std::string line =
       fmt::format("{},{},{},{},{}", row.step, row.time, row.dt, row.particle_count, row.mass);
@@ -112,6 +125,11 @@ void HistoryWriter::add(const HistoryRow& row) {
   append_numbers(line, &row.kinetic_energy, 1);
   append_numbers(line, &row.elastic_energy, 1);
   append_numbers(line, &row.max_speed, 1);
+  if (row.fluid) {
+    const double numbers[3] = {row.fluid->mass, row.fluid->outflow, row.fluid->error};
+    append_numbers(line, numbers, 3);
+    fmt::format_to(std::back_inserter(line), ",{}", row.fluid->iterations);
+  }
   for (const auto& reaction : row.collider_force_torque) append_numbers(line, reaction.data(), 6);
   line += '\n';
   append(line);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,14 @@ struct GridSnapshot {
   std::vector<SnapshotField> fields;
 };
 
+/// Sums over all water that flows in pores.
+struct FluidBalance {
+  double mass = 0;     ///< in the pores now [kg]
+  double outflow = 0;  ///< that left since t = 0 [kg]
+  double error = 0;    ///< (mass + outflow - mass at t = 0) over mass at t = 0
+  int iterations = 0;  ///< of the last step's solve for the pressure
+};
+
 /// One row of history.csv. Momenta are those of the particles, the angular one with the affine
 /// part.
 struct HistoryRow {
@@ -59,6 +68,7 @@ struct HistoryRow {
   double max_speed = 0;                    ///< m/s
   /// force (N) and torque (N m) on each collider, in the deck's order
   std::vector<std::array<double, 6>> collider_force_torque;
+  std::optional<FluidBalance> fluid;  ///< with coupled pore water
 };
 
 }  // namespace scree

@@ -24,6 +24,9 @@ enum class FieldQuantity {
   mass,
   volume,
   displacement,
+  pore_pressure,
+  porosity,
+  seepage_velocity,
   state
 };
 
@@ -51,6 +54,9 @@ constexpr BuiltInField built_in_fields[] = {
     {"mass", "kg", 1, FieldQuantity::mass},
     {"volume", "m^3", 1, FieldQuantity::volume},
     {"displacement", "m", 3, FieldQuantity::displacement},
+    {"pore_pressure", "Pa", 1, FieldQuantity::pore_pressure},
+    {"porosity", "", 1, FieldQuantity::porosity},
+    {"seepage_velocity", "m/s", 3, FieldQuantity::seepage_velocity},
 };
 
 /// Cauchy stress is Kirchhoff stress over J, total where there is pore water; pressure is that of
@@ -68,7 +74,7 @@ void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInf
       if (!p.pore_pressure) return;  // no pore water: stays NaN
       for (int i = 0; i < 9; ++i) {
         out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
-        if (i % 4 == 0) out[i] += *p.pore_pressure;
+        if (i % 4 == 0) out[i] += p.biot * *p.pore_pressure;
       }
       return;
     case FieldQuantity::pressure:
@@ -82,6 +88,15 @@ void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInf
       return;
     case FieldQuantity::displacement:
       for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
+      return;
+    case FieldQuantity::pore_pressure:
+      if (p.pore_pressure) out[0] = *p.pore_pressure;
+      return;
+    case FieldQuantity::porosity:
+      if (p.porosity) out[0] = *p.porosity;
+      return;
+    case FieldQuantity::seepage_velocity:
+      if (p.porosity) std::copy(p.seepage.begin(), p.seepage.end(), out);
       return;
     case FieldQuantity::state:
       return;

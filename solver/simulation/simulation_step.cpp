@@ -66,7 +66,9 @@ template <int D, class T>
 void SimulationImpl<D, T>::step_split() {
   update_external();
   scatter_all(clock_.dt);
+  note_masses();
   update_grid();
+  couple_flow();
   planned_ = plan(clock_.next_time, step_ + 1);
   auto start = Clock::now();
   for (State& state : bodies_) {
@@ -189,6 +191,7 @@ void SimulationImpl<D, T>::refresh_blocks() {
   occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
   grid_.topology().build(occupied, domain_);
   grid_update_.rebuild(grid_);
+  if (flow_) flow_->rebuild(grid_.topology());
   for (State& state : bodies_) {
     const auto& blocks = state.body->store().blocks();
     state.grid_block.clear();
