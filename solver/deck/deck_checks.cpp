@@ -6,6 +6,7 @@
 
 #include "materials/registry.hpp"
 #include "solver/base/error.hpp"
+#include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/deck/initial_stress.hpp"
 #include "solver/deck/particle_faults.hpp"
@@ -84,6 +85,7 @@ class Checker {
     check_names("body", names_of(deck_.bodies));
     check_names("traction", names_of(deck_.tractions));
     check_names("collider", names_of(deck_.colliders));
+    check_names("drainage", names_of(deck_.drainage));
   }
 
   /// Names become column names and labels.
@@ -110,6 +112,10 @@ class Checker {
     }
     for (const TractionSpec& traction : deck_.tractions) {
       check_reference({"traction", traction.name, "body"}, traction.body, "body",
+                      names_of(deck_.bodies));
+    }
+    for (const DrainageSpec& drainage : deck_.drainage) {
+      check_reference({"drainage", drainage.name, "body"}, drainage.body, "body",
                       names_of(deck_.bodies));
     }
   }
@@ -158,8 +164,12 @@ class Checker {
     std::vector<std::string> names{"velocity",     "stress", "pressure", "mass", "volume",
                                    "displacement", "id",     "material", "body"};
     for (const MaterialSpec& material : deck_.materials) {
-      if (material.undrained_bulk_modulus && !contains(names, "pore_pressure")) {
+      const bool water = material.undrained_bulk_modulus || material.porosity;
+      if (water && !contains(names, "pore_pressure")) {
         names.insert(names.end(), {"pore_pressure", "effective_stress"});
+      }
+      if (material.porosity && !contains(names, "porosity")) {
+        names.insert(names.end(), {"porosity", "seepage_velocity"});
       }
       const MaterialEntry* model = find_material_model(material.model);
       if (model == nullptr) continue;
@@ -289,6 +299,7 @@ class Checker {
 }  // namespace
 
 void check_deck(const Deck& deck, const Value& document, Problems& problems) {
+  check_coupling(deck, document, problems);
   Checker(deck, document, problems).run();
 }
 
