@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -83,6 +84,35 @@ class Finder {
     formulas({"traction", spec.name, "value"}, spec.value, Depends::place_and_time, patch.particle);
   }
 
+  void drainage(const DrainageSpec& spec) {
+    const std::string key = dotted({"drainage", spec.name});
+    if (problems_.any_under(key) || problems_.any_under("boundary")) return;
+    const std::vector<DrainedFace> faces = drained_faces(deck_, spec, particles_);
+    if (faces.empty()) {
+      faults_.push_back({{"drainage", spec.name, spec.region ? "region" : "body"},
+                         "holds no free face of the body's surface, so that nothing drains",
+                         "move or enlarge the region until it holds centres of faces; see `facing` "
+                         "and, for faces on a closed face of the domain, `walls`"});
+      return;
+    }
+    const Formula& value = spec.type == DrainageType::flux ? spec.flux : spec.pressure;
+    if (!value.given()) return;
+    const Expression expression(value.text, {"x", "y", "z", "t"});
+    for (const DrainedFace& face : faces) {
+      std::array<double, 3> x = face.offset;
+      for (std::size_t a = 0; a < 3; ++a) {
+        x[a] += particles_.position[3 * std::size_t(face.particle) + a];
+      }
+      const double values[4] = {x[0], x[1], x[2], 0};
+      if (std::isfinite(expression(values))) continue;
+      faults_.push_back({{"drainage", spec.name, "value"},
+                         "\"" + value.text + "\" is not finite at " +
+                             point_text(x, deck_.domain.dimension) + " m, t = 0",
+                         ""});
+      return;
+    }
+  }
+
   std::vector<BodyFault> faults() && { return std::move(faults_); }
 
  private:
@@ -128,6 +158,16 @@ std::vector<BodyFault> particle_faults(const Deck& deck, const BodySpec& body,
   finder.formulas({"method", "body_force"}, deck.method.body_force, Depends::place_and_time);
   for (const TractionSpec& traction : deck.tractions) {
     if (traction.body == body.name) finder.traction(traction);
+  }
+  if (deck.coupling) {
+    const MaterialSpec* material = deck.find_material(body.material);
+    if (material != nullptr && material->porosity) {
+      finder.formulas({"coupling", "initial_pressure"}, {deck.coupling->initial_pressure, {}, {}},
+                      Depends::place);
+    }
+    for (const DrainageSpec& drainage : deck.drainage) {
+      if (drainage.body == body.name) finder.drainage(drainage);
+    }
   }
   return std::move(finder).faults();
 }

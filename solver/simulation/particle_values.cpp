@@ -23,7 +23,7 @@ void write_tensor(const Sym3<double>& s, double* out) {
 
 /// What follows from the effective stress.
 void write_stress_quantity(FieldQuantity quantity, const ParticleView& p, double* out) {
-  const Sym3<double> stress = cauchy(p, p.pore_pressure.value_or(0));
+  const Sym3<double> stress = cauchy(p, p.biot * p.pore_pressure.value_or(0));
   if (quantity == FieldQuantity::p) out[0] = mean_pressure(stress);
   if (quantity == FieldQuantity::q) out[0] = deviatoric_stress(stress);
   if (quantity == FieldQuantity::p || quantity == FieldQuantity::q) return;
@@ -48,7 +48,7 @@ void write_quantity(FieldQuantity quantity, const ParticleView& p, const BodyInf
     case FieldQuantity::stress:
       return write_tensor(cauchy(p, 0), out);
     case FieldQuantity::effective_stress:
-      if (p.pore_pressure) write_tensor(cauchy(p, *p.pore_pressure), out);
+      if (p.pore_pressure) write_tensor(cauchy(p, p.biot * *p.pore_pressure), out);
       return;
     case FieldQuantity::pressure:
       out[0] = mean_pressure(cauchy(p, 0));
@@ -71,6 +71,15 @@ void write_quantity(FieldQuantity quantity, const ParticleView& p, const BodyInf
       return;
     case FieldQuantity::displacement:
       for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
+      return;
+    case FieldQuantity::pore_pressure:
+      if (p.pore_pressure) out[0] = *p.pore_pressure;
+      return;
+    case FieldQuantity::porosity:
+      if (p.porosity) out[0] = *p.porosity;
+      return;
+    case FieldQuantity::seepage_velocity:
+      if (p.porosity) std::copy(p.seepage.begin(), p.seepage.end(), out);
       return;
     case FieldQuantity::yield_distance:
     case FieldQuantity::equivalent_plastic_shear_strain:
