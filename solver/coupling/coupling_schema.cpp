@@ -1,8 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
+#include <sstream>
+
 #include "solver/coupling/coupling_spec.hpp"
 
 namespace scree {
 namespace {
+
+/// The first word that is neither an option with the prefix nor a value after one; "": none.
+std::string foreign_option(const std::string& options) {
+  std::istringstream words(options);
+  std::string word;
+  for (bool first = true; words >> word; first = false) {
+    const bool number = word.size() > 1 && (std::isdigit(word[1]) != 0 || word[1] == '.');
+    const bool option = word[0] == '-' && !number;
+    if (option ? !word.starts_with("-scree_p_") : first) return word;
+  }
+  return "";
+}
 
 Schema<CouplingSpec> make_coupling_schema() {
   Schema<CouplingSpec> s("coupling",
@@ -51,6 +66,13 @@ Schema<CouplingSpec> make_coupling_schema() {
     return Finding{"water_table", "is given together with initial_pressure, which says the same",
                    "", "remove one of them"};
   });
+  s.check({"solver_options"},
+          [](const CouplingSpec& spec, const SchemaContext&) -> std::optional<Finding> {
+            const std::string word = foreign_option(spec.solver_options);
+            if (word.empty()) return std::nullopt;
+            return Finding{"solver_options", "\"" + word + "\" is no option of the pressure solve",
+                           "options that begin with -scree_p_", ""};
+          });
   s.check({"pressure_spacing"},
           [](const CouplingSpec& spec, const SchemaContext& context) -> std::optional<Finding> {
             if (spec.pressure_spacing != 1 || context.kernel == "compact") return std::nullopt;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
@@ -95,6 +97,7 @@ class Finder {
                          "and, for faces on a closed face of the domain, `walls`"});
       return;
     }
+    if (shared(spec, faces)) return;
     const Formula& value = spec.type == DrainageType::flux ? spec.flux : spec.pressure;
     if (!value.given()) return;
     const Expression expression(value.text, {"x", "y", "z", "t"});
@@ -116,9 +119,25 @@ class Finder {
   std::vector<BodyFault> faults() && { return std::move(faults_); }
 
  private:
+  /// Reports a face that another drainage holds too.
+  bool shared(const DrainageSpec& spec, const std::vector<DrainedFace>& faces) {
+    for (const DrainedFace& face : faces) {
+      const auto [other, fresh] =
+          drained_.emplace(std::pair(face.particle, face.offset), spec.name);
+      if (fresh) continue;
+      faults_.push_back({{"drainage", spec.name, spec.region ? "region" : "body"},
+                         "holds faces that drainage." + toml_key(other->second) + " holds too",
+                         "choose regions or `facing` so that each face belongs to one of them"});
+      return true;
+    }
+    return false;
+  }
+
   const Deck& deck_;
   const SampledBody& particles_;
   const Problems& problems_;
+  /// Faces, by particle and place, and the drainage that holds them.
+  std::map<std::pair<std::int64_t, std::array<double, 3>>, std::string> drained_;
   std::vector<BodyFault> faults_;
 };
 

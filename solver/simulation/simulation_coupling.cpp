@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "solver/base/error.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 
 namespace scree {
@@ -10,6 +11,9 @@ namespace scree {
 template <int D, class T>
 void SimulationImpl<D, T>::make_flow() {
   if (!setup_.coupling) return;
+  if (backend_->updated_grid().velocities == nullptr) {
+    throw UserError("coupling is computed by the processor; use the backend cpu");
+  }
   FlowDomain<D> domain;
   domain.kernel = setup_.kernel;
   domain.transfer = setup_.transfer;
