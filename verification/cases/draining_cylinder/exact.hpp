@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Plane strain cylinder of radius a, water and soil: at t = 0 a pressure q acts all round, where p = 0 too.
+// Plane strain cylinder of radius a, water and soil: at t = 0 a pressure q acts all round, where p
+// = 0 too.
 //
-// Radial equilibrium, M de/dr = alpha dp/dr with e = div u and M = lambda + 2 mu, gives M e = alpha p + f(t).
-// With the storage S the water's balance is S p_t + alpha e_t = k lap p. After Laplace's transform, with
-// eta = S + alpha^2/M, c_v = k/eta and b = a sqrt(s/c_v):
+// Radial equilibrium, M de/dr = alpha dp/dr with e = div u and M = lambda + 2 mu, gives M e = alpha
+// p + f(t). With the storage S the water's balance is S p_t + alpha e_t = k lap p. After Laplace's
+// transform, with eta = S + alpha^2/M, c_v = k/eta and b = a sqrt(s/c_v):
 //   p = alpha f/(M eta) (I0(b r/a)/I0(b) - 1),
-// and sigma_rr(a) = f - 2 mu u(a)/a = -q/s with u(a)/a = (1/a^2) int e r dr gives f. The inverse transform is
-// Stehfest's (Commun. ACM 13, 1970). The pressure in the middle first rises above its start: the skin that
-// has drained shrinks and squeezes it (N. Mandel 1953, C. W. Cryer 1963; cylinders: E. de Leeuw 1965).
+// and sigma_rr(a) = f - 2 mu u(a)/a = -q/s with u(a)/a = (1/a^2) int e r dr gives f. The inverse
+// transform is Stehfest's (Commun. ACM 13, 1970). The pressure in the middle first rises above its
+// start: the skin that has drained shrinks and squeezes it (N. Mandel 1953, C. W. Cryer 1963;
+// cylinders: E. de Leeuw 1965).
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Consolidation at large strain (R. E. Gibson, G. L. England, M. J. L. Hussey, Geotechnique 17, 1967, is
-// the theory). In the end the water carries nothing: in the confined column of a fixed-corotated solid with
-// Poisson's ratio 0 the nominal stress is E (s - 1) = -q, so the stretch is s = 1 - q/E everywhere, and grains
-// that keep their volume leave the porosity n = 1 - (1 - n0)/s. The water that has flowed out is (1 - s) of
-// the volume at the start.
+// Consolidation at large strain (R. E. Gibson, G. L. England, M. J. L. Hussey, Geotechnique 17,
+// 1967, is the theory). In the end the water carries nothing: in the confined column of a
+// fixed-corotated solid with Poisson's ratio 0 the nominal stress is E (s - 1) = -q, so the stretch
+// is s = 1 - q/E everywhere, and grains that keep their volume leave the porosity n = 1 - (1 -
+// n0)/s. The water that has flowed out is (1 - s) of the volume at the start.
 #pragma once
 
 #include <cmath>
@@ -40,7 +40,8 @@ struct Case {
       T.push_back(row.time / run.number("unit"));
       settled.push_back(2 * (row.center[1] - run.history.front().center[1]) / height);
     }
-    out.figure("Twice the settlement of the centre", "time factor T_v", "over the height").computed(T, settled);
+    out.figure("Twice the settlement of the centre", "time factor T_v", "over the height")
+        .computed(T, settled);
   }
 };
 

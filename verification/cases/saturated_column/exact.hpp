@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Saturated soil at rest under gravity, water table at its surface: p = rho_f g (H - y), total stress
-// -rho g (H - y), so the effective stress is -(rho - rho_f) g (H - y), that of the buoyant weight
-// (K. Terzaghi, Theoretical Soil Mechanics, 1943). Heights are those at the start: the column settles by
-// (rho - rho_f) g H^2/(2 E), 5e-4 of its height, where the water carries all at first.
+// Saturated soil at rest under gravity, water table at its surface: p = rho_f g (H - y), total
+// stress -rho g (H - y), so the effective stress is -(rho - rho_f) g (H - y), that of the buoyant
+// weight (K. Terzaghi, Theoretical Soil Mechanics, 1943). Heights are those at the start: the
+// column settles by (rho - rho_f) g H^2/(2 E), 5e-4 of its height, where the water carries all at
+// first.
 #pragma once
 
 #include <cmath>
@@ -37,7 +38,9 @@ struct Case {
     out.value("effective stress error", stress / total);
     out.value("seepage at the end", speed / (run.number("k") * 1000 * run.number("g")));
     out.value("water balance", std::abs(run.history.back().fluid->error));
-    out.figure("Pore pressure", "p/(rho_f g H)", "height y/H").particles(measured, y).exact({1, 0}, {0, 1});
+    out.figure("Pore pressure", "p/(rho_f g H)", "height y/H")
+        .particles(measured, y)
+        .exact({1, 0}, {0, 1});
     out.figure("Effective stress", "-s/((rho - rho_f) g H)", "height y/H")
         .particles(effective, y)
         .exact({1, 0}, {0, 1});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sealed saturated soil in confined compression under a load q (M. A. Biot, J. Appl. Phys. 12, 1941;
-// A. W. Skempton, Geotechnique 4, 1954, for the ratio). No water leaves: p = -alpha M e with the vertical
-// strain e, and -q = (M_oed + alpha^2 M) e, so
+// Sealed saturated soil in confined compression under a load q (M. A. Biot, J. Appl. Phys. 12,
+// 1941; A. W. Skempton, Geotechnique 4, 1954, for the ratio). No water leaves: p = -alpha M e with
+// the vertical strain e, and -q = (M_oed + alpha^2 M) e, so
 //   p/q = alpha M/(M_oed + alpha^2 M),     effective stress -M_oed q/(M_oed + alpha^2 M),
 // M = 1/(n/K_f + (alpha - n)/K_s) the storage modulus, M_oed that of the drained soil.
 #pragma once

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Consolidation of a column of height H that drains at its top (Terzaghi), with the inertia of soil and
-// water: the run is dynamic, and what is compared must be, too.
+// Consolidation of a column of height H that drains at its top (Terzaghi), with the inertia of soil
+// and water: the run is dynamic, and what is compared must be, too.
 //
 // Water and grains incompressible, u the displacement, p the pore pressure, z the height:
-//   rho u_tt = E u_zz - p_z,      u_t = k p_z,      u(0) = 0,  p(H) = 0,  E u_z(H) = -q,  p = q at t = 0+.
-// The deviation of u from its final value -q z/E, over q H/E, is a sum of modes 2 (-1)^n/M_n^2 a_n(T) sin(M_n z/H) with
-// M_n = (n + 1/2) pi, the time factor T = c_v t/H^2, c_v = k E and epsilon = c_v/(c H), c^2 = E/rho. Each amplitude obeys
+//   rho u_tt = E u_zz - p_z,      u_t = k p_z,      u(0) = 0,  p(H) = 0,  E u_z(H) = -q,  p = q at
+//   t = 0+.
+// The deviation of u from its final value -q z/E, over q H/E, is a sum of modes 2 (-1)^n/M_n^2
+// a_n(T) sin(M_n z/H) with M_n = (n + 1/2) pi, the time factor T = c_v t/H^2, c_v = k E and epsilon
+// = c_v/(c H), c^2 = E/rho. Each amplitude obeys
 //   epsilon^2 a'' + a' + M^2 a = 0,   a(0) = 1, a'(0) = 0,
-// and p/q = sum -2 (-1)^n/M^3 a_n'(T) cos(M_n z/H). For epsilon -> 0: a' = -M^2 exp(-M^2 T), Terzaghi's
-// series (K. Terzaghi, Erdbaumechanik, 1925).
+// and p/q = sum -2 (-1)^n/M^3 a_n'(T) cos(M_n z/H). For epsilon -> 0: a' = -M^2 exp(-M^2 T),
+// Terzaghi's series (K. Terzaghi, Erdbaumechanik, 1925).
 #pragma once
 
 #include <cmath>
@@ -59,8 +61,7 @@ struct Case {
       for (std::size_t p = 0; p < now.size(); ++p) {
         z.push_back(now.X(p)[1] / height);
         measured.push_back(pressure(p) / load);
-        const double off =
-            measured.back() - dynamic_pressure(z.back(), T, run.number("epsilon"));
+        const double off = measured.back() - dynamic_pressure(z.back(), T, run.number("epsilon"));
         square += off * off;
       }
       for (int i = 0; i <= 50; ++i) {
