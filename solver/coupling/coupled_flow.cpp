@@ -101,7 +101,7 @@ void CoupledFlow<D>::fill(FlowPoint<D>& point, std::int32_t body, const double (
     point.xi[a] = y - std::floor(y);
   }
   const Mat3<double> total = f * deformation(point.id);
-  const double side = std::pow(flow.particle_volume, 1.0 / D);
+  const double side = 2 * half_side(body);
   for (int a = 0; a < D; ++a) {
     double square = 0;
     for (int b = 0; b < D; ++b) {
@@ -171,9 +171,12 @@ void CoupledFlow<D>::solve(const FlowStep<D>& step, std::vector<double>& velocit
       volume_.fold(group.root, ghost.record, ghost.sign, matrix_);
     }
   }
+  reactions_.assign(step.colliders->size(), Reaction{});
+  if (!volume_.load().empty()) push(step, volume_.load(), velocity, topology, pool);
   assemble(step, velocity, pool);
   solve_system(step);
-  correct(step, velocity, topology, pool);
+  volume_.force(matrix_, solution_, force_, pool);
+  push(step, force_, velocity, topology, pool);
   gather(step.dt, step.gravity, pool);
 }
 
@@ -239,10 +242,11 @@ void CoupledFlow<D>::solve_system(const FlowStep<D>& step) {
   }
 }
 
+/// Forces on the nodes change the velocities as far as walls and colliders let them.
 template <int D>
-void CoupledFlow<D>::correct(const FlowStep<D>& step, std::vector<double>& velocity,
-                             const Topology<D>& topology, ThreadPool& pool) {
-  volume_.force(matrix_, solution_, force_, pool);
+void CoupledFlow<D>::push(const FlowStep<D>& step, const std::vector<double>& force,
+                          std::vector<double>& velocity, const Topology<D>& topology,
+                          ThreadPool& pool) {
   const auto& inverse = constraints_.inverse();
   pool.for_each(
       std::int64_t(inverse.size()),
@@ -251,13 +255,12 @@ void CoupledFlow<D>::correct(const FlowStep<D>& step, std::vector<double>& veloc
         if (m[0] < 0) return;
         for (int a = 0; a < D; ++a) {
           const std::size_t i = std::size_t(r) * D + std::size_t(a);
-          velocity[i] += step.dt * m[std::size_t(a)] * force_[i];
+          velocity[i] += step.dt * m[std::size_t(a)] * force[i];
         }
       },
       256);
-  reactions_.assign(step.colliders->size(), Reaction{});
   for (const NodeGroup<D>& group : constraints_.groups()) {
-    const Vec3<double> impulse = correct_group(step, group, velocity);
+    const Vec3<double> impulse = push_group(step, group, force, velocity);
     if (group.collider < 0) continue;
     Vec3<double> arm{};
     const Vec3<double> centre = (*step.colliders)[std::size_t(group.collider)].reference_point();
@@ -272,12 +275,13 @@ void CoupledFlow<D>::correct(const FlowStep<D>& step, std::vector<double>& veloc
   }
 }
 
-/// Returns the impulse that the pressure gives to what holds the group.
+/// Returns the impulse that the force gives to what holds the group.
 template <int D>
-Vec3<double> CoupledFlow<D>::correct_group(const FlowStep<D>& step, const NodeGroup<D>& group,
-                                           std::vector<double>& velocity) {
+Vec3<double> CoupledFlow<D>::push_group(const FlowStep<D>& step, const NodeGroup<D>& group,
+                                        const std::vector<double>& forces,
+                                        std::vector<double>& velocity) {
   double change[D] = {}, mass[D] = {};
-  const double* force = &force_[std::size_t(group.root) * D];  // its ghosts' included
+  const double* force = &forces[std::size_t(group.root) * D];  // its ghosts' included
   for (int a = 0; a < D; ++a) {
     for (int b = 0; b < D; ++b) change[a] += step.dt * group.inverse[a][b] * force[b];
   }

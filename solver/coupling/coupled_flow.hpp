@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -66,6 +67,10 @@ class CoupledFlow {
               std::int64_t particles);
 
   bool has_water(std::int32_t body) const { return bodies_[std::size_t(body)].pores.has_value(); }
+  /// Half the side of a particle's box at t = 0 [m].
+  double half_side(std::int32_t body) const {
+    return 0.5 * std::pow(bodies_[std::size_t(body)].particle_volume, 1.0 / D);
+  }
   /// Pressure [Pa] and the law's volume ratio of a particle at t = 0.
   void start(std::int64_t id, std::int32_t body, double pressure, double volume_ratio);
 
@@ -75,9 +80,9 @@ class CoupledFlow {
   // A step: masses, points, solve.
   NodeConstraints<D>& constraints() { return constraints_; }
   FlowPoints<D>& points() { return points_; }
-  /// Fills all of a point but `local` and `id`, which must be set; u: position in cells from the
-  /// domain's lower corner, increment: dt grad v of the last step. Once a step a particle; any
-  /// thread.
+  /// Fills all of a point but `local`, `id` and `loaded`, which must be set; u: position in cells
+  /// from the domain's lower corner, increment: dt grad v of the last step. Once a step a particle;
+  /// any thread.
   void fill(FlowPoint<D>& point, std::int32_t body, const double (&u)[D],
             const Mat3<double>& increment);
   /// Solves for the pressure. velocity: D entries a node, of v*; becomes v. Throws RunFault where
@@ -111,10 +116,10 @@ class CoupledFlow {
   void assemble(const FlowStep<D>& step, const std::vector<double>& velocity, ThreadPool& pool);
   void add_held(double factor);
   void solve_system(const FlowStep<D>& step);
-  void correct(const FlowStep<D>& step, std::vector<double>& velocity, const Topology<D>& topology,
-               ThreadPool& pool);
-  Vec3<double> correct_group(const FlowStep<D>& step, const NodeGroup<D>& group,
-                             std::vector<double>& velocity);
+  void push(const FlowStep<D>& step, const std::vector<double>& force,
+            std::vector<double>& velocity, const Topology<D>& topology, ThreadPool& pool);
+  Vec3<double> push_group(const FlowStep<D>& step, const NodeGroup<D>& group,
+                          const std::vector<double>& force, std::vector<double>& velocity);
   std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
   void gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool);
 

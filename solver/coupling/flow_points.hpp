@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct FlowPoint {
   double pressure;       ///< at the step's start [Pa]
   double defect;         ///< volume change of the last step that tr(dt grad v) missed [m^3]
   std::int64_t id;
+  bool loaded;  ///< by a traction: FlowPoints::moments counts
 };
 
 /// The points of one block of one body, one after the other in FlowPoints::points.
@@ -39,6 +41,9 @@ struct FlowChunk {
 template <int D>
 struct FlowPoints {
   std::vector<FlowPoint<D>> points;
+  /// Of loaded points: sum over faces of force (row) times place of the face from the point
+  /// (column), D x D [N m]. Empty where no point is loaded.
+  std::vector<std::array<double, D * D>> moments;
   std::vector<FlowChunk<D>> chunks;
 };
 

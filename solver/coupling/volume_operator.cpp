@@ -114,6 +114,10 @@ template <int D>
 void VolumeOperator<D>::fold(std::int64_t root, std::int64_t ghost,
                              const std::array<std::int8_t, D>& sign,
                              const PressureMatrix<D>& matrix) {
+  for (std::size_t a = 0; a < D && !load_.empty(); ++a) {
+    load_[std::size_t(root) * D + a] += sign[a] * load_[std::size_t(ghost) * D + a];
+    load_[std::size_t(ghost) * D + a] = 0;
+  }
   std::vector<std::int32_t> near, far;
   rows(root, matrix, near);
   rows(ghost, matrix, far);
@@ -217,7 +221,8 @@ void VolumeOperator<D>::force(const PressureMatrix<D>& matrix, const std::vector
 
 template <int D>
 std::int64_t VolumeOperator<D>::bytes() const {
-  return std::int64_t(8 * q_.capacity() + sizeof(PressureNode<D>) * base_.capacity() +
+  return std::int64_t(8 * (q_.capacity() + load_.capacity()) +
+                      sizeof(PressureNode<D>) * base_.capacity() +
                       sizeof(Group) * groups_.capacity() + 4 * members_.capacity());
 }
 

@@ -41,6 +41,10 @@ class VolumeOperator {
 
   void assemble(const FlowPoints<D>& points, const Topology<D>& topology, ThreadPool& pool);
 
+  /// Forces on the nodes by the points' moments, f_i = sum_p moment_p g_ip, D entries a node; empty
+  /// where no point is loaded. Folded like Q.
+  const std::vector<double>& load() const { return load_; }
+
   /// Adds Q of node `ghost`, times a sign an axis, to that of `root`, whose velocity it follows,
   /// and zeroes its own.
   void fold(std::int64_t root, std::int64_t ghost, const std::array<std::int8_t, D>& sign,
@@ -99,6 +103,7 @@ class VolumeOperator {
   std::vector<Group> groups_;
   std::vector<std::vector<std::int32_t>> colours_;  ///< groups that share no pressure node
   std::vector<double> q_;
+  std::vector<double> load_;
 };
 
 extern template class VolumeOperator<2>;

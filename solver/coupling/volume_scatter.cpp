@@ -69,6 +69,7 @@ void digits(int n, int (&digit)[D]) {
 /// Adds alpha V g_i N_j of every particle of a chunk.
 template <int D>
 template <class Kernel, bool affine>
+// NOLINTNEXTLINE(readability-function-size): a kernel's body
 void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk,
                                       const Topology<D>& topology) {
   constexpr int S = Kernel::support, E = Kernel::arena_extent, corners = 1 << D;
@@ -132,6 +133,14 @@ void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChu
         for (int a = 0; a < D; ++a) {
           for (int k = 0; k < corners; ++k) q[a * hats_ + corner_at[k]] += gradient[a] * n[k];
         }
+        if (!p.loaded) continue;
+        const auto& moment = points.moments[std::size_t(i)];
+        for (int a = 0; a < D; ++a) {
+          double& load = load_[std::size_t(record) * D + std::size_t(a)];
+          for (int b = 0; b < D; ++b) {
+            load += moment[std::size_t(a * D + b)] * gradient[b] / cell_size_;
+          }
+        }
       }
     }
   }
@@ -166,6 +175,7 @@ template <int D>
 void VolumeOperator<D>::assemble(const FlowPoints<D>& points, const Topology<D>& topology,
                                  ThreadPool& pool) {
   q_.assign(base_.size() * std::size_t(D * hats_), 0.0);
+  load_.assign(points.moments.empty() ? 0 : base_.size() * D, 0.0);
   switch (kernel_) {
     case KernelType::compact:
       return scatter<Compact>(points, topology, pool);

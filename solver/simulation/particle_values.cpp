@@ -37,6 +37,15 @@ void write_stress_quantity(FieldQuantity quantity, const ParticleView& p, double
   }
 }
 
+void write_water_quantity(FieldQuantity quantity, const ParticleView& p, double* out) {
+  if (quantity == FieldQuantity::pore_pressure && p.pore_pressure) out[0] = *p.pore_pressure;
+  if (!p.porosity) return;
+  if (quantity == FieldQuantity::porosity) out[0] = *p.porosity;
+  if (quantity == FieldQuantity::seepage_velocity) {
+    std::copy(p.seepage.begin(), p.seepage.end(), out);
+  }
+}
+
 }  // namespace
 
 void write_quantity(FieldQuantity quantity, const ParticleView& p, const BodyInfo& info,
@@ -72,20 +81,8 @@ void write_quantity(FieldQuantity quantity, const ParticleView& p, const BodyInf
     case FieldQuantity::displacement:
       for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
       return;
-    case FieldQuantity::pore_pressure:
-      if (p.pore_pressure) out[0] = *p.pore_pressure;
-      return;
-    case FieldQuantity::porosity:
-      if (p.porosity) out[0] = *p.porosity;
-      return;
-    case FieldQuantity::seepage_velocity:
-      if (p.porosity) std::copy(p.seepage.begin(), p.seepage.end(), out);
-      return;
-    case FieldQuantity::yield_distance:
-    case FieldQuantity::equivalent_plastic_shear_strain:
-    case FieldQuantity::strain_rate:
-    case FieldQuantity::state:
-      return;
+    default:  // of water, or what needs more than the view
+      return write_water_quantity(quantity, p, out);
   }
 }
 

@@ -69,19 +69,15 @@ void SimulationImpl<D, T>::note_masses() {
   flow_->constraints().begin_step(std::move(mass));
 }
 
-/// The particles with water, block by block.
+/// The blocks of particles with water; returns the number of these.
 template <int D, class T>
-void SimulationImpl<D, T>::collect_flow_points() {
-  constexpr int width = ParticleStore<D, T>::width;
-  FlowPoints<D>& points = flow_->points();
+std::int64_t SimulationImpl<D, T>::list_flow_chunks(FlowPoints<D>& points,
+                                                    std::vector<const FlowBlock*>& blocks) const {
   points.chunks.clear();
-  std::vector<const typename ParticleStore<D, T>::Block*> blocks;
   std::int64_t count = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!flow_->has_water(std::int32_t(b))) continue;
-    const State& state = bodies_[b];
-    for (std::size_t i = 0; i < state.body->store().blocks().size(); ++i) {
-      const auto& block = state.body->store().blocks()[i];
+    for (const auto& block : bodies_[b].body->store().blocks()) {
       FlowChunk<D> chunk;
       chunk.begin = count;
       count += block.count;
@@ -94,7 +90,18 @@ void SimulationImpl<D, T>::collect_flow_points() {
       blocks.push_back(&block);
     }
   }
+  return count;
+}
+
+/// The particles with water, block by block.
+template <int D, class T>
+void SimulationImpl<D, T>::collect_flow_points() {
+  constexpr int width = ParticleStore<D, T>::width;
+  FlowPoints<D>& points = flow_->points();
+  std::vector<const FlowBlock*> blocks;
+  const std::int64_t count = list_flow_chunks(points, blocks);
   points.points.resize(std::size_t(count));
+  points.moments.resize(external_ && external_->has_tractions() ? std::size_t(count) : 0);
   executor_.pool().for_each(std::int64_t(points.chunks.size()), [&](std::int64_t c, int) {
     const FlowChunk<D>& chunk = points.chunks[std::size_t(c)];
     const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
@@ -113,9 +120,31 @@ void SimulationImpl<D, T>::collect_flow_points() {
               double(store.aux_batch(b)[(layout_.increment + a * D + k) * width + lane]);
         }
       }
+      point.loaded = !points.moments.empty() && external_->loaded(point.id);
       flow_->fill(point, chunk.body, u, increment);
     }
   });
+  if (!points.moments.empty()) set_moments(points);
+}
+
+/// A traction acts on its face, not on the particle: beside the force that the particle scatters,
+/// water needs its moment, or pressures next to a loaded surface alternate by half of the load.
+template <int D, class T>
+void SimulationImpl<D, T>::set_moments(FlowPoints<D>& points) const {
+  for (const FlowChunk<D>& chunk : points.chunks) {
+    for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
+      const FlowPoint<D>& point = points.points[std::size_t(i)];
+      if (!point.loaded) continue;
+      std::array<double, 3> x{};
+      for (std::size_t a = 0; a < D; ++a) {
+        x[a] = setup_.lower[a] + setup_.cell_size * (block_cells * chunk.block[a] + point.local[a]);
+      }
+      const Mat3<double> m = external_->moment(point.id, &reference_[3 * std::size_t(point.id)],
+                                               x.data(), clock_.time, flow_->half_side(chunk.body));
+      auto& moment = points.moments[std::size_t(i)];
+      for (int k = 0; k < D * D; ++k) moment[std::size_t(k)] = m(k / D, k % D);
+    }
+  }
 }
 
 /// Velocities under the effective stress -> velocities under the pore pressure too.

@@ -90,7 +90,10 @@ class SimulationImpl final : public Simulation {
   void start_flow();
   void note_masses();
   void couple_flow();
+  using FlowBlock = typename ParticleStore<D, T>::Block;
+  std::int64_t list_flow_chunks(FlowPoints<D>& points, std::vector<const FlowBlock*>& blocks) const;
   void collect_flow_points();
+  void set_moments(FlowPoints<D>& points) const;
 
   // simulation_clock.cpp
   double stable_dt() const;

@@ -112,5 +112,51 @@ TEST(CoupledWater, ColumnUnderGravityEndsHydrostatic) {
   }
 }
 
+/// Next to a drain too, soil that lets nearly nothing through keeps the pressure of its load: the
+/// drain's layer is as tight as the soil.
+TEST(CoupledWater, TightSoilHoldsTheLoadAtADrain) {
+  for (const int spacing : {1, 2}) {
+    SoilColumn column;
+    column.coupling.pressure_spacing = spacing;
+    column.pores.porosity = 0.4;
+    column.pores.fluid_modulus = 1e6 * column.youngs_modulus;
+    column.set_consolidation(1e-9 * column.wave_speed() * column.height);
+    SimulationSetup setup = column_setup(column);
+    setup.schedule = Schedule(2 * column.height / column.wave_speed(), 0, 0, 0);
+    const Schedule schedule = setup.schedule;
+    const auto simulation = Simulation::create(std::move(setup));
+    run(*simulation, schedule);
+    const auto snapshot = simulation->particles({"pore_pressure"});
+    for (const double p : field(snapshot, "pore_pressure").values) {
+      // An independent one-dimensional code: 6e-3 and 7e-4, quadrature of three particles a cell.
+      // With the load at the particles, not at their faces: 0.44 and 0.26.
+      EXPECT_NEAR(p / column.load, 1, spacing == 1 ? 1.5e-2 : 5e-3) << spacing;
+    }
+  }
+}
+
+/// Water that has no share in the stress leaves the soil as it is without water.
+TEST(CoupledWater, WithoutAShareInTheStressTheSoilIsDry) {
+  Matrix gradient;
+  gradient << -0.3, -1, 0, 1, 0.1, 0, 0, 0, 0;
+  Method method;
+  method.path = PathType::split;
+  SimulationSetup wet = block(2, gradient, 1e-4, 20, method);
+  wet.bodies[0].pores->porosity = wet.bodies[0].pores->biot = 1e-12;
+  SimulationSetup dry = block(2, gradient, 1e-4, 20, method);
+  dry.bodies[0].pores.reset();
+  dry.coupling.reset();
+  const Schedule schedule = dry.schedule;
+  const auto with = Simulation::create(std::move(wet)),
+             without = Simulation::create(std::move(dry));
+  run(*with, schedule);
+  run(*without, schedule);
+  const auto a = with->particles({"stress"}), b = without->particles({"stress"});
+  for (std::size_t i = 0; i < a.position.size(); ++i) {
+    // A share of 1e-12 in stresses of K_f/n x 1e-12 x strain, 2e-3 Pa: 1e-10 of the soil's.
+    EXPECT_NEAR(a.position[i], b.position[i], 1e-10 * cell);
+  }
+}
+
 }  // namespace
 }  // namespace scree::testing
