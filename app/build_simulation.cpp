@@ -9,7 +9,9 @@
 #include <memory>
 
 #include "solver/base/error.hpp"
+#include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/initial_pressure.hpp"
 #include "solver/deck/initial_stress.hpp"
 #include "solver/deck/particle_faults.hpp"
 #include "solver/particles/sampling.hpp"
@@ -104,6 +106,35 @@ void add_tractions(const Deck& deck, std::int32_t body, const SampledBody& sampl
   }
 }
 
+/// Pores, their pressure at the start and the surfaces that drain, of one body.
+void add_water(const Deck& deck, const MaterialSpec& material, const SampledBody& sampled,
+               std::int32_t index, BodySetup& body, SimulationSetup& setup) {
+  if (!deck.coupling) return;
+  body.pores = material.pores();
+  if (!body.pores) return;
+  const InitialPressure pressure(deck, material);
+  for (std::size_t p = 0; p < sampled.position.size(); p += 3) {
+    body.pore_pressure.push_back(pressure.at(&sampled.position[p]));
+  }
+  for (const DrainageSpec& spec : deck.drainage) {
+    if (spec.body != body.name) continue;
+    DrainageSetup drainage;
+    drainage.name = spec.name;
+    drainage.type = spec.type;
+    drainage.body = index;
+    drainage.faces = drained_faces(deck, spec, sampled);
+    const Formula& value = spec.type == DrainageType::flux ? spec.flux : spec.pressure;
+    if (value.given()) {
+      const Expression expression(value.text, {"x", "y", "z", "t"});
+      drainage.value = [expression](const double* x, double t) {
+        const double variables[4] = {x[0], x[1], x[2], t};
+        return expression(variables);
+      };
+    }
+    setup.coupling->drainage.push_back(std::move(drainage));
+  }
+}
+
 /// What the reading of the deck leaves to this: it does not sample very large bodies.
 void check_particles(const Deck& deck, const BodySpec& body, const SampledBody& sampled) {
   const auto faults = particle_faults(deck, body, sampled, Problems());
@@ -130,6 +161,7 @@ void add_body(const Deck& deck, std::int32_t index, SimulationSetup& setup) {
   body.undrained_bulk_modulus = material.undrained_bulk_modulus.value_or(0);
   body.material_index = std::int32_t(&material - deck.materials.data());
   body.particle_volume = sampled.particle_volume;
+  add_water(deck, material, sampled, index, body, setup);
   body.position = std::move(sampled.position);
   if (spec.initial_stress) {
     InitialStates initial = solve_initial_states(deck, spec, body.position);
@@ -207,6 +239,13 @@ SimulationSetup build_setup(const Deck& deck) {
   }
   setup.colliders = deck.colliders;
   set_loads(deck, setup);
+  if (deck.coupling) {
+    setup.coupling.emplace();
+    setup.coupling->pressure_spacing = deck.coupling->pressure_spacing;
+    setup.coupling->tolerance = deck.coupling->tolerance;
+    setup.coupling->preconditioner = deck.coupling->preconditioner;
+    setup.coupling->solver_options = deck.coupling->solver_options;
+  }
   for (std::size_t b = 0; b < deck.bodies.size(); ++b) add_body(deck, std::int32_t(b), setup);
   setup.keep_reference =
       deck.wants_field("displacement") || setup.body_force || !setup.tractions.empty();

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "app/build_simulation.hpp"
+#include "app/coupling_report.hpp"
 #include "app/deck_warnings.hpp"
 #include "app/machine_info.hpp"
 #include "solver/base/error.hpp"
@@ -172,6 +173,7 @@ void print(const Deck& deck, const Prediction& prediction) {
   line("blocks", fmt::format("{} of 4^{} cells", prediction.blocks, deck.domain.dimension));
   line("first step",
        fmt::format("{:.4g} s{}", prediction.first_step, deck.time.step ? " (fixed)" : ""));
+  for (const std::string& water : coupling_report(deck)) line("pore water", water);
   line("memory", fmt::format("about {}", bytes_text(prediction.bytes)));
   print_effort(deck, prediction);
   for (const std::string& warning : prediction.warnings) line("warning", warning);

@@ -22,6 +22,7 @@ set(SCREE_VTK_PICTURES VTK::IOImage VTK::RenderingFreeType)
 # Reading frames again, and surfaces from them.
 set(SCREE_VTK_READ VTK::IOXMLParser VTK::FiltersCore)
 
-# Linear systems of the postprocessor. Debian's build has hypre and Trilinos ML in it.
+# Linear systems of pore water and of the postprocessor; starts, with MPI, where it is first needed. Debian's build (real numbers,
+# 32-bit indices) has hypre and Trilinos ML in it.
 pkg_check_modules(PETSC REQUIRED IMPORTED_TARGET PETSc)
 find_package(MPI REQUIRED COMPONENTS C)

@@ -72,7 +72,7 @@ set(files_VTK "^(solver/io/.*\\.cpp|solver/geometry/vtk_mesh\\.cpp|postproc/.*\\
 set(header_MPI "^mpi\\.h$")
 set(files_MPI "^$") # no file yet
 set(header_PETSc "^petsc")
-set(files_PETSc "^postproc/project/petsc_[a-z_]*\\.cpp$")
+set(files_PETSc "^(postproc/project/petsc_[a-z_]*|solver/coupling/pressure_solver)\\.cpp$")
 set(header_CUDA "^(cuda|cub/|thrust/|cooperative_groups)")
 set(files_CUDA "^solver/.*(\\.cuh?|/cuda_[a-z_]*\\.hpp)$")
 set(header_Eigen "^Eigen/")

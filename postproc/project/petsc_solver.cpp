@@ -39,14 +39,25 @@ void check(PetscErrorCode code) {
 class Session {
  public:
   Session() {
-    // Errors come back as exceptions; signals stay the program's own.
-    if (PetscInitializeNoArguments() != 0) throw RunFault("PETSc and MPI could not be started");
-    PetscPopSignalHandler();
+    // Errors come back as exceptions; signals stay the program's own. A run with pore water may
+    // have started PETSc before; then that ends it.
+    PetscBool running = PETSC_FALSE;
+    PetscInitialized(&running);
+    own_ = running == PETSC_FALSE;
+    if (own_ && PetscInitializeNoArguments() != 0) {
+      throw RunFault("PETSc and MPI could not be started");
+    }
+    if (own_) PetscPopSignalHandler();
     check(PetscPushErrorHandler(&keep_message, nullptr));
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  ~Session() { PetscFinalize(); }
+  ~Session() {
+    if (own_) PetscFinalize();
+  }
+
+ private:
+  bool own_ = true;
 };
 
 void start() { static const Session session; }

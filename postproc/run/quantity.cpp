@@ -157,6 +157,7 @@ std::string unit_of_field(const std::string& name) {
       {"position", "m"},
       {"displacement", "m"},
       {"velocity", "m/s"},
+      {"seepage_velocity", "m/s"},
       {"stress", "Pa"},
       {"effective_stress", "Pa"},
       {"pressure", "Pa"},

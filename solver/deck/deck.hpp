@@ -14,6 +14,7 @@
 #include "solver/boundary/collider_spec.hpp"
 #include "solver/boundary/face_spec.hpp"
 #include "solver/boundary/traction_spec.hpp"
+#include "solver/coupling/coupling_spec.hpp"
 #include "solver/io/output_spec.hpp"
 #include "solver/io/sample_spec.hpp"
 #include "solver/particles/body_spec.hpp"
@@ -29,7 +30,20 @@ struct MaterialSpec {
   std::string model;                                          ///< a name of the material registry
   double density = std::numeric_limits<double>::quiet_NaN();  ///< kg/m^3
   std::optional<double> undrained_bulk_modulus;               ///< of the pore water, Pa
-  std::any input;                                             ///< the model's Input
+  // Pores with water that flows, with [coupling]; no porosity: none.
+  std::optional<double> porosity;                ///< at the start
+  std::optional<double> fluid_bulk_modulus;      ///< Pa
+  std::optional<double> fluid_density;           ///< kg/m^3
+  std::optional<double> grain_bulk_modulus;      ///< Pa; not given: incompressible
+  std::optional<double> biot_coefficient;        ///< not given: 1
+  std::optional<double> permeability;            ///< m^2, with fluid_viscosity
+  std::optional<double> fluid_viscosity;         ///< Pa s
+  std::optional<double> hydraulic_conductivity;  ///< m/s, instead of the two
+  bool kozeny_carman = false;
+  std::any input;  ///< the model's Input
+
+  /// The pores of a checked deck; nothing without a porosity.
+  std::optional<PoreSetup> pores() const;
 };
 
 /// A checked deck: all values in SI, all defaults filled in.
@@ -43,6 +57,8 @@ struct Deck {
   std::vector<MaterialSpec> materials;  ///< these vectors in the deck's order
   std::vector<BodySpec> bodies;
   std::vector<TractionSpec> tractions;
+  std::optional<CouplingSpec> coupling;
+  std::vector<DrainageSpec> drainage;
   BoundarySpec boundary;
   std::vector<ColliderSpec> colliders;
   OutputSpec output;

@@ -6,6 +6,7 @@
 
 #include "materials/registry.hpp"
 #include "solver/base/error.hpp"
+#include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/deck/initial_stress.hpp"
 #include "solver/deck/particle_faults.hpp"
@@ -96,6 +97,7 @@ class Checker {
     check_names("probe", names_of(deck_.probes));
     check_names("profile", names_of(deck_.profiles));
     check_names("section", names_of(deck_.sections));
+    check_names("drainage", names_of(deck_.drainage));
   }
 
   /// Names become column names and labels.
@@ -122,6 +124,10 @@ class Checker {
     }
     for (const TractionSpec& traction : deck_.tractions) {
       check_reference({"traction", traction.name, "body"}, traction.body, "body",
+                      names_of(deck_.bodies));
+    }
+    for (const DrainageSpec& drainage : deck_.drainage) {
+      check_reference({"drainage", drainage.name, "body"}, drainage.body, "body",
                       names_of(deck_.bodies));
     }
   }
@@ -168,14 +174,14 @@ class Checker {
 
   std::vector<std::string> field_names() const {
     std::vector<std::string> names{"id", "material", "body"};
-    bool water = false;
+    FieldWater water = FieldWater::none;
     for (const MaterialSpec& material : deck_.materials) {
-      water = water || material.undrained_bulk_modulus;
+      if (material.undrained_bulk_modulus) water = std::max(water, FieldWater::any);
+      if (material.porosity) water = FieldWater::flowing;
     }
     for (const ParticleField& field : particle_fields()) {
-      if (!field.pore_water || water) names.push_back(field.name);
+      if (field.water <= water) names.push_back(field.name);
     }
-    if (water) names.emplace_back("pore_pressure");
     for (const MaterialSpec& material : deck_.materials) {
       const MaterialEntry* model = find_material_model(material.model);
       if (model == nullptr) continue;
@@ -374,6 +380,7 @@ class Checker {
 }  // namespace
 
 void check_deck(const Deck& deck, const Value& document, Problems& problems) {
+  check_coupling(deck, document, problems);
   Checker(deck, document, problems).run();
 }
 

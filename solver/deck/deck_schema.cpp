@@ -3,6 +3,7 @@
 
 #include "materials/registry.hpp"
 #include "solver/deck/deck.hpp"
+#include "solver/deck/pore_keys.hpp"
 
 /// The schema of a whole deck: mostly the schemas of its tables, which live beside their users.
 namespace scree {
@@ -55,6 +56,7 @@ Schema<MaterialSpec> make_material_schema() {
           "stress is then the effective one, `stress` and `pressure` are total, and there are the "
           "fields `pore_pressure` (excess, compression positive) and `effective_stress`. "
           "Skempton's B is K/(K + K_model).");
+  add_pore_keys(s, effective_stress_models());
   return s;
 }
 
@@ -87,7 +89,10 @@ void read_material(MaterialSpec& spec, const Value& value, const std::string& pa
   if (model == nullptr) return;
   spec.input = model->make_input();
   std::vector<std::string> common = material_schema().keys();
-  if (!model->effective_stress) std::erase(common, "undrained_bulk_modulus");
+  if (!model->effective_stress) {
+    std::erase_if(common,
+                  [](const std::string& key) { return !material_schema().find(key)->tag.empty(); });
+  }
   const bool own_right = reader.read(*model->schema, model->input_pointer(spec.input),
                                      part_of(value, material_schema(), false), path, common);
   if (common_right && own_right) check_density(spec, *model, value, path, reader);
@@ -142,6 +147,12 @@ DeckSchema make_deck_schema() {
   s.materials().doc("Materials, at least one.");
   s.named("body", &Deck::bodies, &body_schema).doc("Bodies, at least one.");
   s.named("traction", &Deck::tractions, &traction_schema).fallback_text("none").doc("Loads.");
+  s.table("coupling", &Deck::coupling, &coupling_schema)
+      .fallback_text("none: water does not flow")
+      .doc("Pore water that flows.");
+  s.named("drainage", &Deck::drainage, &drainage_schema)
+      .fallback_text("none: impermeable")
+      .doc("Surfaces with given pore pressure or flux.");
   s.table("boundary", &Deck::boundary, &boundary_schema)
       .fallback_text("all open")
       .doc("Faces of the domain.");

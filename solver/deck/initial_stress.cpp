@@ -146,7 +146,7 @@ int gravity_axis(const Deck& deck) {
 }
 
 InitialStress::InitialStress(const Deck& deck, const BodySpec& body, const MaterialSpec& material)
-    : spec_(*body.initial_stress) {
+    : spec_(*body.initial_stress), pressure_(deck, material) {
   if (!geostatic()) return;
   axis_ = gravity_axis(deck);
   const double gravity = gravity_at_start(deck)[std::size_t(axis_)];
@@ -157,7 +157,10 @@ InitialStress::InitialStress(const Deck& deck, const BodySpec& body, const Mater
 
 std::array<double, 3> InitialStress::at(const double* x) const {
   if (!geostatic()) return spec_.value;
-  const double vertical = -weight_ * depth(x);
+  double surface[3] = {x[0], x[1], x[2]};
+  surface[axis_] = spec_.surface;
+  const double total = -weight_ * depth(x) - pressure_.at(surface);
+  const double vertical = total + pressure_.biot() * pressure_.at(x);
   Stress stress{k0_ * vertical, k0_ * vertical, k0_ * vertical};
   stress[std::size_t(axis_)] = vertical;
   return stress;

@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "solver/deck/deck.hpp"
+#include "solver/deck/initial_pressure.hpp"
 
 namespace scree {
 
 /// The stress of a body at the start as a function of the place: normal stresses xx, yy, zz along
-/// the axes [Pa], tension positive; no shear stress.
+/// the axes [Pa], tension positive; no shear stress. Effective where there is pore water: where it
+/// flows, geostatic stress is that of the total weight less the initial pore pressure, and water
+/// that stands above the surface loads it.
 class InitialStress {
  public:
   /// Geostatic needs gravity at t = 0 along one axis (a check of the deck). A k0 that the deck does
@@ -28,6 +31,7 @@ class InitialStress {
 
  private:
   InitialStressSpec spec_;
+  InitialPressure pressure_;
   int axis_ = 0;
   double down_ = -1;   ///< sign of gravity along the axis
   double weight_ = 0;  ///< per volume [N/m^3]

@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
+#include <utility>
 
+#include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -83,12 +86,58 @@ class Finder {
     formulas({"traction", spec.name, "value"}, spec.value, Depends::place_and_time, patch.particle);
   }
 
+  void drainage(const DrainageSpec& spec) {
+    const std::string key = dotted({"drainage", spec.name});
+    if (problems_.any_under(key) || problems_.any_under("boundary")) return;
+    const std::vector<DrainedFace> faces = drained_faces(deck_, spec, particles_);
+    if (faces.empty()) {
+      faults_.push_back({{"drainage", spec.name, spec.region ? "region" : "body"},
+                         "holds no free face of the body's surface, so that nothing drains",
+                         "move or enlarge the region until it holds centres of faces; see `facing` "
+                         "and, for faces on a closed face of the domain, `walls`"});
+      return;
+    }
+    if (shared(spec, faces)) return;
+    const Formula& value = spec.type == DrainageType::flux ? spec.flux : spec.pressure;
+    if (!value.given()) return;
+    const Expression expression(value.text, {"x", "y", "z", "t"});
+    for (const DrainedFace& face : faces) {
+      std::array<double, 3> x = face.offset;
+      for (std::size_t a = 0; a < 3; ++a) {
+        x[a] += particles_.position[3 * std::size_t(face.particle) + a];
+      }
+      const double values[4] = {x[0], x[1], x[2], 0};
+      if (std::isfinite(expression(values))) continue;
+      faults_.push_back({{"drainage", spec.name, "value"},
+                         "\"" + value.text + "\" is not finite at " +
+                             point_text(x, deck_.domain.dimension) + " m, t = 0",
+                         ""});
+      return;
+    }
+  }
+
   std::vector<BodyFault> faults() && { return std::move(faults_); }
 
  private:
+  /// Reports a face that another drainage holds too.
+  bool shared(const DrainageSpec& spec, const std::vector<DrainedFace>& faces) {
+    for (const DrainedFace& face : faces) {
+      const auto [other, fresh] =
+          drained_.emplace(std::pair(face.particle, face.offset), spec.name);
+      if (fresh) continue;
+      faults_.push_back({{"drainage", spec.name, spec.region ? "region" : "body"},
+                         "holds faces that drainage." + toml_key(other->second) + " holds too",
+                         "choose regions or `facing` so that each face belongs to one of them"});
+      return true;
+    }
+    return false;
+  }
+
   const Deck& deck_;
   const SampledBody& particles_;
   const Problems& problems_;
+  /// Faces, by particle and place, and the drainage that holds them.
+  std::map<std::pair<std::int64_t, std::array<double, 3>>, std::string> drained_;
   std::vector<BodyFault> faults_;
 };
 
@@ -128,6 +177,16 @@ std::vector<BodyFault> particle_faults(const Deck& deck, const BodySpec& body,
   finder.formulas({"method", "body_force"}, deck.method.body_force, Depends::place_and_time);
   for (const TractionSpec& traction : deck.tractions) {
     if (traction.body == body.name) finder.traction(traction);
+  }
+  if (deck.coupling) {
+    const MaterialSpec* material = deck.find_material(body.material);
+    if (material != nullptr && material->porosity) {
+      finder.formulas({"coupling", "initial_pressure"}, {deck.coupling->initial_pressure, {}, {}},
+                      Depends::place);
+    }
+    for (const DrainageSpec& drainage : deck.drainage) {
+      if (drainage.body == body.name) finder.drainage(drainage);
+    }
   }
   return std::move(finder).faults();
 }

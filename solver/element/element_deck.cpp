@@ -5,6 +5,7 @@
 
 #include "solver/deck/document.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/pore_keys.hpp"
 #include "solver/deck/quiet_floats.hpp"
 
 namespace scree {
@@ -66,6 +67,24 @@ void check_water(const ElementDeck& deck, const Value& document, Problems& probl
   problems.add(problem);
 }
 
+/// A point has no surface through which water could flow.
+void check_pores(const ElementDeck& deck, const Value& document, Problems& problems) {
+  const Value* table = document.find("material");
+  if (!table || deck.materials.size() != 1) return;
+  for (const std::string& name : pore_key_names()) {
+    const Value* value = table->items.front().find(name);
+    if (!value) continue;
+    Problem problem;
+    problem.key = "material." + deck.materials.front().name + "." + name;
+    if (problems.any_under(problem.key)) continue;
+    problem.where = value->position;
+    problem.value = to_toml(*value);
+    problem.message = "belongs to water that flows, which a single point does not have";
+    problem.repair = "remove it; for water that stays set undrained_bulk_modulus";
+    problems.add(problem);
+  }
+}
+
 ElementDeck interpret(std::optional<Value> document, const std::vector<std::string>& overrides,
                       Problems& problems) {
   ElementDeck deck;
@@ -78,6 +97,7 @@ ElementDeck interpret(std::optional<Value> document, const std::vector<std::stri
   reader.read(element_schema(), &deck, *document, "");
   check_material_count(deck, *document, problems);
   check_water(deck, *document, problems);
+  check_pores(deck, *document, problems);
   return deck;
 }
 

@@ -208,6 +208,16 @@ void GridUpdate<D, T>::to_velocity(const Grid<D, T>& grid, T* p, T* q, const Gri
 }
 
 template <int D, class T>
+void GridUpdate<D, T>::add_reactions(const std::vector<Reaction>& more) {
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      reactions_[i].force[a] += more[i].force[a];
+      reactions_[i].torque[a] += more[i].torque[a];
+    }
+  }
+}
+
+template <int D, class T>
 void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                                     const GridForces& forces, std::vector<Collider>& colliders) {
   const std::size_t records = grid.block_values() / node_values;

@@ -52,6 +52,13 @@ class GridUpdate {
 
   /// Reactions of the last apply(), one a collider.
   const std::vector<Reaction>& reactions() const { return reactions_; }
+  /// What a later part of the step adds to them.
+  void add_reactions(const std::vector<Reaction>& more);
+
+  // What the last apply() did at the faces.
+  const Faces<D>& faces() const { return faces_; }
+  const FacePairs<D>& pairs() const { return pairs_; }
+  const std::array<std::vector<char>, D>& folded() const { return folded_; }
 
  private:
   void remember(const std::vector<std::uint64_t>& keys);

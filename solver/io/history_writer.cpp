@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string header_line(const std::vector<std::string>& collider_names) {
-  return fmt::format("{}", fmt::join(history_columns(collider_names), ","));
+std::string header_line(const std::vector<std::string>& collider_names, bool fluid) {
+  return fmt::format("{}", fmt::join(history_columns(collider_names, fluid), ","));
 }
 
 void append_numbers(std::string& line, const double* values, int count) {
@@ -22,12 +22,17 @@ void append_numbers(std::string& line, const double* values, int count) {
 
 }  // namespace
 
-std::vector<std::string> history_columns(const std::vector<std::string>& collider_names) {
+std::vector<std::string> history_columns(const std::vector<std::string>& collider_names,
+                                         bool fluid) {
   std::vector<std::string> names = {"step", "time", "dt", "particle_count", "mass"};
   for (const char* vector : {"momentum", "angular_momentum", "center"}) {
     for (const char* axis : {"x", "y", "z"}) names.push_back(fmt::format("{}_{}", vector, axis));
   }
   names.insert(names.end(), {"kinetic_energy", "elastic_energy", "max_speed"});
+  if (fluid) {
+    names.insert(names.end(),
+                 {"fluid_mass", "fluid_outflow", "fluid_balance_error", "pressure_iterations"});
+  }
   for (const std::string& collider : collider_names) {
     for (const char* vector : {"force", "torque"}) {
       for (const char* axis : {"x", "y", "z"}) {
@@ -38,24 +43,28 @@ std::vector<std::string> history_columns(const std::vector<std::string>& collide
   return names;
 }
 
-HistoryWriter::HistoryWriter(CsvWriter file, std::size_t collider_count)
-    : file_(std::move(file)), collider_count_(collider_count) {}
+HistoryWriter::HistoryWriter(CsvWriter file, std::size_t collider_count, bool fluid)
+    : file_(std::move(file)), collider_count_(collider_count), fluid_(fluid) {}
 
 HistoryWriter HistoryWriter::create(const fs::path& path,
-                                    const std::vector<std::string>& collider_names) {
-  return HistoryWriter(CsvWriter::create(path, header_line(collider_names)), collider_names.size());
+                                    const std::vector<std::string>& collider_names, bool fluid) {
+  return HistoryWriter(CsvWriter::create(path, header_line(collider_names, fluid)),
+                       collider_names.size(), fluid);
 }
 
 HistoryWriter HistoryWriter::resume(const fs::path& path,
                                     const std::vector<std::string>& collider_names,
-                                    std::int64_t last_step) {
-  return HistoryWriter(CsvWriter::resume(path, header_line(collider_names), last_step),
-                       collider_names.size());
+                                    std::int64_t last_step, bool fluid) {
+  return HistoryWriter(CsvWriter::resume(path, header_line(collider_names, fluid), last_step),
+                       collider_names.size(), fluid);
 }
 
 void HistoryWriter::add(const HistoryRow& row) {
   if (row.collider_force_torque.size() != collider_count_) {
     throw std::logic_error("history row with another number of colliders than the header");
+  }
+  if (row.fluid.has_value() != fluid_) {
+    throw std::logic_error("history row with pore water where the header has none, or without");
   }
   std::string line =
       fmt::format("{},{},{},{},{}", row.step, row.time, row.dt, row.particle_count, row.mass);
@@ -65,6 +74,11 @@ void HistoryWriter::add(const HistoryRow& row) {
   append_numbers(line, &row.kinetic_energy, 1);
   append_numbers(line, &row.elastic_energy, 1);
   append_numbers(line, &row.max_speed, 1);
+  if (row.fluid) {
+    const double numbers[3] = {row.fluid->mass, row.fluid->outflow, row.fluid->error};
+    append_numbers(line, numbers, 3);
+    fmt::format_to(std::back_inserter(line), ",{}", row.fluid->iterations);
+  }
   for (const auto& reaction : row.collider_force_torque) append_numbers(line, reaction.data(), 6);
   file_.add(line + "\n");
 }

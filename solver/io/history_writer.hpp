@@ -11,8 +11,10 @@
 
 namespace scree {
 
-/// The column names of history.csv, in order; each collider adds its force and torque.
-std::vector<std::string> history_columns(const std::vector<std::string>& collider_names);
+/// The column names of history.csv, in order; each collider adds its force and torque, pore water
+/// that flows (`fluid`) its balance.
+std::vector<std::string> history_columns(const std::vector<std::string>& collider_names,
+                                         bool fluid = false);
 
 /// Writes history.csv. A row is handed to the system in one piece as soon as it is added, so a
 /// killed program leaves whole rows. Numbers have the digits that give the same double back.
@@ -20,14 +22,14 @@ class HistoryWriter {
  public:
   /// Starts a new file with the header line. Throws RunFault.
   static HistoryWriter create(const std::filesystem::path& path,
-                              const std::vector<std::string>& collider_names);
+                              const std::vector<std::string>& collider_names, bool fluid = false);
 
   /// Goes on with an existing file after cutting off every row with a step beyond `last_step` and
   /// anything after the last complete row. Throws RunFault if the file is missing or has other
   /// columns.
   static HistoryWriter resume(const std::filesystem::path& path,
                               const std::vector<std::string>& collider_names,
-                              std::int64_t last_step);
+                              std::int64_t last_step, bool fluid = false);
 
   /// Adds a row. On failure (disk full) cuts a half-written row off again and throws RunFault.
   void add(const HistoryRow& row);
@@ -36,10 +38,11 @@ class HistoryWriter {
   void sync();
 
  private:
-  HistoryWriter(CsvWriter file, std::size_t collider_count);
+  HistoryWriter(CsvWriter file, std::size_t collider_count, bool fluid);
 
   CsvWriter file_;
   std::size_t collider_count_ = 0;
+  bool fluid_ = false;
 };
 
 }  // namespace scree

@@ -33,10 +33,12 @@ void add_content(Output& s) {
       .fallback({"velocity", "stress"})
       .doc(
           "Particle fields besides id, material and body: those of the list of fields, the history "
-          "fields of the materials in use, and with pore water pore_pressure and "
-          "effective_stress. stress and pressure are total where there is pore water, all that "
+          "fields of the materials in use; those of pore water only where there is some. "
+          "stress and pressure are total where there is pore water, all that "
           "follows from a stress is of the effective one.");
-  s.flag("grid", &OutputSpec::grid).fallback(false).doc("Also writes the nodes of the grid.");
+  s.flag("grid", &OutputSpec::grid)
+      .fallback(false)
+      .doc("Also writes the nodes of the grid, with [coupling] those of the pore pressure too.");
   s.integer("every_nth", &OutputSpec::every_nth)
       .at_least(1)
       .fallback(1)

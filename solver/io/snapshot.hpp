@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,11 +37,19 @@ struct ParticleSnapshot {
 struct GridSnapshot {
   double time = 0;
   std::int64_t step = 0;
-  std::string lattice;  ///< "minus" and "plus" (the compact kernel's two lattices) or "nodes"
+  std::string lattice;  ///< "minus" and "plus" (the compact kernel's two) or "nodes"; "pressure"
   double origin[3] = {0, 0, 0};       ///< m, position of node (0, 0, 0)
   double spacing = 0;                 ///< m
   std::int64_t nodes[3] = {0, 0, 1};  ///< nodes an axis; 1 along z in two dimensions
   std::vector<SnapshotField> fields;
+};
+
+/// Sums over all water that flows in pores.
+struct FluidBalance {
+  double mass = 0;     ///< in the pores now [kg]
+  double outflow = 0;  ///< that left since t = 0 [kg]
+  double error = 0;    ///< (mass + outflow - mass at t = 0) over mass at t = 0
+  int iterations = 0;  ///< of the last step's solve for the pressure
 };
 
 /// One row of history.csv. Momenta are those of the particles, the angular one with the affine
@@ -59,6 +68,7 @@ struct HistoryRow {
   double max_speed = 0;                    ///< m/s
   /// force (N) and torque (N m) on each collider, in the deck's order
   std::vector<std::array<double, 6>> collider_force_torque;
+  std::optional<FluidBalance> fluid;  ///< with coupled pore water
 };
 
 }  // namespace scree

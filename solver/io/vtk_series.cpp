@@ -24,7 +24,7 @@ constexpr const char* frames_folder = "frames";
 std::optional<std::size_t> frame_number(const std::string& file, const std::string& series) {
   if (!file.starts_with(series + "_")) return std::nullopt;
   std::string rest = file.substr(series.size() + 1);
-  for (const std::string lattice : {"minus_", "plus_"}) {
+  for (const std::string lattice : {"minus_", "plus_", "pressure_"}) {
     if (rest.starts_with(lattice) && rest.ends_with(".vti")) rest = rest.substr(lattice.size());
   }
   if (!rest.ends_with(".vtu") && !rest.ends_with(".vti")) return std::nullopt;

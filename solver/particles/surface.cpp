@@ -52,29 +52,41 @@ bool selected(const SurfaceSelection& selection, const SampledBody& body, const 
 
 }  // namespace
 
-SurfacePatch exposed_faces(const SampledBody& body, const SurfaceSelection& selection) {
-  SurfacePatch patch;
-  if (body.count() == 0) return patch;
-  const int dimension = body.lattice.dimension;
+std::vector<SurfaceFace> single_faces(const SampledBody& body, const SurfaceSelection& selection) {
+  std::vector<SurfaceFace> faces;
+  if (body.count() == 0) return faces;
   const SiteSet filled = filled_sites(body);
-  const double face = std::pow(body.spacing, dimension - 1);
   for (std::int64_t p = 0; p < body.count(); ++p) {
     const double* x = &body.position[3 * static_cast<std::size_t>(p)];
     const Site site = body.lattice.site(x);
-    double sum[3] = {0, 0, 0}, square = 0;
-    for (int axis = 0; axis < dimension; ++axis) {
-      int faces = 0;
+    for (int axis = 0; axis < body.lattice.dimension; ++axis) {
       for (int sign = -1; sign <= 1; sign += 2) {
         Site next = site;
         next[axis] += sign;
         if (filled.contains(next[0], next[1], next[2])) continue;
-        if (!selected(selection, body, x, axis, sign)) continue;
-        sum[axis] += sign * face;
-        ++faces;
+        if (selected(selection, body, x, axis, sign)) faces.push_back({p, axis, sign});
       }
-      square += faces * faces;
     }
-    if (square == 0) continue;
+  }
+  return faces;
+}
+
+SurfacePatch exposed_faces(const SampledBody& body, const SurfaceSelection& selection) {
+  SurfacePatch patch;
+  if (body.count() == 0) return patch;
+  const double face = std::pow(body.spacing, body.lattice.dimension - 1);
+  const std::vector<SurfaceFace> faces = single_faces(body, selection);
+  for (std::size_t i = 0; i < faces.size();) {
+    const std::int64_t p = faces[i].particle;
+    double sum[3] = {0, 0, 0}, square = 0;
+    for (; i < faces.size() && faces[i].particle == p;) {
+      const int axis = faces[i].axis;
+      int number = 0;
+      for (; i < faces.size() && faces[i].particle == p && faces[i].axis == axis; ++i, ++number) {
+        sum[axis] += faces[i].sign * face;
+      }
+      square += number * number;
+    }
     patch.particle.push_back(p);
     patch.area_vector.insert(patch.area_vector.end(), sum, sum + 3);
     patch.area.push_back(face * std::sqrt(square));

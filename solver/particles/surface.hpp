@@ -30,6 +30,15 @@ struct SurfacePatch {
   std::int64_t count() const { return static_cast<std::int64_t>(particle.size()); }
 };
 
+/// One exposed face of a particle's lattice cell.
+struct SurfaceFace {
+  std::int64_t particle = 0;  ///< index into the body's positions
+  int axis = 0, sign = 1;     ///< of its outward normal
+};
+
+/// The selected faces one by one, particle by particle.
+std::vector<SurfaceFace> single_faces(const SampledBody& body, const SurfaceSelection& selection);
+
 /// The faces of the particles' lattice cells that have no particle of the body on the other side.
 /// A surface that is not aligned with the lattice comes out as a staircase, whose area vectors sum
 /// to the right projected areas.

@@ -66,6 +66,14 @@ struct PassReport {
   Fault fault;
 };
 
+/// A grid between its update and the gather, for what solves there for other velocities.
+template <int D, class T>
+struct UpdatedGrid {
+  AlignedVector<T>* velocities = nullptr;  ///< may be changed
+  AlignedVector<T>* changes = nullptr;     ///< velocity changes of the update, with separate_force
+  GridUpdate<D, T>* update = nullptr;      ///< what it decided, and its reactions
+};
+
 /// Where a run computes: it holds the particles and the grid while the run steps.
 ///
 /// The order of a step, its length, loads and output are the simulation's; a backend offers the
@@ -110,6 +118,10 @@ class Backend {
   /// Fused: what the last step scattered for the next one.
   virtual const AlignedVector<T>& momenta() = 0;
   virtual void set_momenta(const std::vector<T>& values) = 0;
+
+  /// After update_grid() of a split step. Nothing where the grid is out of the processor's reach;
+  /// such a backend takes no coupling.
+  virtual UpdatedGrid<D, T> updated_grid() { return {}; }
 
   virtual std::int64_t grid_bytes() const = 0;
   virtual std::int64_t other_bytes() const = 0;  ///< beside stores and grid

@@ -40,6 +40,7 @@ class CpuBackend final : public Backend<D, T> {
   const AlignedVector<T>& velocities() override { return config_.fused ? next_ : current_; }
   const AlignedVector<T>& momenta() override { return current_; }
   void set_momenta(const std::vector<T>& values) override;
+  UpdatedGrid<D, T> updated_grid() override { return {&current_, &extra_, &grid_update_}; }
   std::int64_t grid_bytes() const override;
   std::int64_t other_bytes() const override;
 

@@ -45,6 +45,31 @@ std::array<double, 3> ExternalForce::acceleration(std::int64_t id, const double*
   return sum;
 }
 
+Mat3<double> ExternalForce::moment(std::int64_t id, const double* X, const double* x, double t,
+                                   double half) const {
+  Mat3<double> sum = zero3<double>();
+  const Vec3<double> start{{X[0], X[1], X[2]}};
+  const Vec3<double> now{{x[0], x[1], x[2]}};
+  for (std::int32_t i = first_load_[std::size_t(id)]; i >= 0; i = loads_[std::size_t(i)].next) {
+    const Load& load = loads_[std::size_t(i)];
+    const double square = dot(load.area_vector, load.area_vector);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double share = load.area_vector[axis];
+      if (share == 0) continue;
+      Vec3<double> face{}, place{};
+      face[axis] = share;
+      place[axis] = share > 0 ? half : -half;
+      const Vec3<double> f = tractions_[std::size_t(load.traction)].force(
+          t, now, start, face, load.area * share * share / square, load.F);
+      const Vec3<double> offset = load.F * place;
+      for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < 3; ++b) sum(a, b) += f[a] * offset[b];
+      }
+    }
+  }
+  return sum;
+}
+
 void ExternalForce::save(StateWriter& writer) const {
   std::vector<double> entries;
   for (const Load& load : loads_) {

@@ -26,11 +26,17 @@ class ExternalForce {
 
   /// Follows the total deformation of a loaded particle: F <- (I + increment) F.
   void deform(std::int64_t id, const Mat3<double>& increment);
+  bool has_tractions() const { return !loads_.empty(); }
   bool loaded(std::int64_t id) const { return first_load_[std::size_t(id)] >= 0; }
 
   /// Acceleration of particle `id` at reference position X and position x [m/s^2].
   std::array<double, 3> acceleration(std::int64_t id, const double* X, const double* x,
                                      double t) const;
+
+  /// Moment of the tractions about the particle: sum over its faces of the force times the place of
+  /// the face, from the particle [N m]. `half`: half the particle's side at t = 0 [m].
+  Mat3<double> moment(std::int64_t id, const double* X, const double* x, double t,
+                      double half) const;
 
   void save(StateWriter& writer) const;
   void load(const StateReader& reader);

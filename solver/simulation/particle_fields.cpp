@@ -11,7 +11,13 @@ const std::vector<ParticleField>& particle_fields() {
        "Cauchy stress, total where there is pore water, rows xx xy xz yx yy yz zx zy zz, tension "
        "positive."},
       {"effective_stress", "Pa", 9, Q::effective_stress,
-       "Stress plus the excess pore pressure on its diagonal; NaN without pore water.", true},
+       "Stress plus biot_coefficient (undrained: 1) times `pore_pressure` on its diagonal; NaN "
+       "without pore water.",
+       FieldWater::any},
+      {"pore_pressure", "Pa", 1, Q::pore_pressure,
+       "Pressure of the pore water above the atmosphere's, of undrained water its excess; "
+       "compression positive; NaN without pore water.",
+       FieldWater::any},
       {"pressure", "Pa", 1, Q::pressure,
        "Minus a third of the trace of `stress`, compression positive."},
       {"p", "Pa", 1, Q::p, "Mean effective stress, compression positive."},
@@ -45,6 +51,13 @@ const std::vector<ParticleField>& particle_fields() {
        "J, current over initial volume, plastic part included; positive."},
       {"displacement", "m", 3, Q::displacement,
        "From the position at t = 0; across a periodic face it jumps by the width of the domain."},
+      {"porosity", "1", 1, Q::porosity,
+       "Volume of the pores over that of soil and pores; NaN without water that flows.",
+       FieldWater::flowing},
+      {"seepage_velocity", "m/s", 3, Q::seepage_velocity,
+       "Darcy's flux: volume of water that passes a unit of area a second, relative to the soil; "
+       "NaN without water that flows.",
+       FieldWater::flowing},
   };
   return fields;
 }

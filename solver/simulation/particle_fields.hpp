@@ -25,7 +25,17 @@ enum class FieldQuantity {
   volume,
   volume_ratio,
   displacement,
+  pore_pressure,
+  porosity,
+  seepage_velocity,
   state  ///< not of this list: of the material
+};
+
+/// The water in pores without which a field is of no use.
+enum class FieldWater {
+  none,
+  any,     ///< that stays (undrained) or flows
+  flowing  ///< of [coupling]
 };
 
 /// A field that can be asked for whatever the materials are.
@@ -34,8 +44,8 @@ struct ParticleField {
   std::string unit;  ///< SI symbol, "1" where dimensionless
   int components = 1;
   FieldQuantity quantity;
-  std::string doc;          ///< meaning, sign and range
-  bool pore_water = false;  ///< only where a material has pore water
+  std::string doc;  ///< meaning, sign and range
+  FieldWater water = FieldWater::none;
 };
 
 /// All of them, in the order of the reference. Stresses they follow from are effective.

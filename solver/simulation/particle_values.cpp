@@ -23,7 +23,7 @@ void write_tensor(const Sym3<double>& s, double* out) {
 
 /// What follows from the effective stress.
 void write_stress_quantity(FieldQuantity quantity, const ParticleView& p, double* out) {
-  const Sym3<double> stress = cauchy(p, p.pore_pressure.value_or(0));
+  const Sym3<double> stress = cauchy(p, p.biot * p.pore_pressure.value_or(0));
   if (quantity == FieldQuantity::p) out[0] = mean_pressure(stress);
   if (quantity == FieldQuantity::q) out[0] = deviatoric_stress(stress);
   if (quantity == FieldQuantity::p || quantity == FieldQuantity::q) return;
@@ -34,6 +34,15 @@ void write_stress_quantity(FieldQuantity quantity, const ParticleView& p, double
     if (quantity == FieldQuantity::principal_stress) out[i] = principal.value[i];
     if (quantity != FieldQuantity::principal_directions) continue;
     std::copy(principal.direction[i].begin(), principal.direction[i].end(), out + 3 * i);
+  }
+}
+
+void write_water_quantity(FieldQuantity quantity, const ParticleView& p, double* out) {
+  if (quantity == FieldQuantity::pore_pressure && p.pore_pressure) out[0] = *p.pore_pressure;
+  if (!p.porosity) return;
+  if (quantity == FieldQuantity::porosity) out[0] = *p.porosity;
+  if (quantity == FieldQuantity::seepage_velocity) {
+    std::copy(p.seepage.begin(), p.seepage.end(), out);
   }
 }
 
@@ -48,7 +57,7 @@ void write_quantity(FieldQuantity quantity, const ParticleView& p, const BodyInf
     case FieldQuantity::stress:
       return write_tensor(cauchy(p, 0), out);
     case FieldQuantity::effective_stress:
-      if (p.pore_pressure) write_tensor(cauchy(p, *p.pore_pressure), out);
+      if (p.pore_pressure) write_tensor(cauchy(p, p.biot * *p.pore_pressure), out);
       return;
     case FieldQuantity::pressure:
       out[0] = mean_pressure(cauchy(p, 0));
@@ -72,11 +81,8 @@ void write_quantity(FieldQuantity quantity, const ParticleView& p, const BodyInf
     case FieldQuantity::displacement:
       for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
       return;
-    case FieldQuantity::yield_distance:
-    case FieldQuantity::equivalent_plastic_shear_strain:
-    case FieldQuantity::strain_rate:
-    case FieldQuantity::state:
-      return;
+    default:  // of water, or what needs more than the view
+      return write_water_quantity(quantity, p, out);
   }
 }
 

@@ -15,6 +15,10 @@ struct ParticleView {
   double affine[3][3] = {};           ///< B [m^2/s]
   std::array<double, 6> kirchhoff{};  ///< [Pa]: xx, xy, xz, yy, yz, zz; with the pore water's share
   std::optional<double> pore_pressure;  ///< [Pa]; nothing without pore water
+  double biot = 1;                      ///< share of the pore pressure in the total stress
+  std::optional<double> porosity;       ///< of coupled pore water
+  std::array<double, 3> seepage{};      ///< [m/s], the same
+  double fluid_mass = 0;                ///< [kg], the same
   double volume_ratio = 1;              ///< total J
   double energy_density = 0;            ///< [J/m^3] of reference volume
   std::int32_t batch = 0;               ///< where its material state lies

@@ -14,6 +14,7 @@
 #include "solver/boundary/collider_spec.hpp"
 #include "solver/boundary/face_type.hpp"
 #include "solver/boundary/traction_spec.hpp"
+#include "solver/coupling/coupling_setup.hpp"
 #include "solver/io/snapshot.hpp"
 #include "solver/io/state_archive.hpp"
 #include "solver/particles/surface.hpp"
@@ -32,6 +33,8 @@ struct BodySetup {
   double density = 0;    ///< [kg/m^3]
   /// Bulk modulus of undrained pore water [Pa], for laws of effective stresses; 0: no pore water.
   double undrained_bulk_modulus = 0;
+  std::optional<PoreSetup> pores;     ///< with SimulationSetup::coupling: water that flows
+  std::vector<double> pore_pressure;  ///< of each particle at t = 0 [Pa]; empty: 0
   std::int32_t material_index = 0;
   double particle_volume = 0;             ///< [m^3] (2D: m^2)
   std::vector<double> position;           ///< 3 per particle [m]
@@ -74,6 +77,8 @@ struct SimulationSetup {
   std::vector<ColliderSpec> colliders;
   std::vector<BodySetup> bodies;
   std::vector<TractionSetup> tractions;
+  /// Pore water that flows, in the bodies with pores. Takes the split path.
+  std::optional<CouplingSetup> coupling;
   Schedule schedule;
   bool keep_reference = true;  ///< keep X (needed for displacement, tractions and body forces)
   bool record = true;          ///< false: no history or frames will be asked for (benchmarks)
@@ -122,6 +127,7 @@ class Simulation {
   virtual std::int64_t particle_count() const = 0;
   virtual std::int64_t removed_count() const = 0;  ///< particles that left through open faces
   virtual bool fused() const = 0;
+  virtual bool coupled() const { return false; }  ///< with pore water that flows
 
   // Valid when the schedule says that history or a frame is due at time().
   virtual HistoryRow history() const = 0;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/backend.hpp"
 #include "solver/simulation/external_force.hpp"
 #include "solver/simulation/particle_view.hpp"
@@ -19,7 +20,7 @@ namespace scree {
 struct FieldSource;
 class MaterialPoint;
 
-enum class Phase { binning, grid, particles, stress, external, count };
+enum class Phase { binning, grid, particles, stress, external, pressure, count };
 
 /// The simulation in D dimensions with reals T.
 template <int D, class T>
@@ -35,6 +36,7 @@ class SimulationImpl final : public Simulation {
   std::int64_t particle_count() const override;
   std::int64_t removed_count() const override { return removed_; }
   bool fused() const override { return fused_; }
+  bool coupled() const override { return flow_ != nullptr; }
   StepLimit step_limit() const override;
   HistoryRow history() const override;
   using Simulation::particles;
@@ -83,6 +85,16 @@ class SimulationImpl final : public Simulation {
     seconds_[std::size_t(phase)] += spent.count();
   }
 
+  // simulation_coupling.cpp
+  void make_flow();
+  void start_flow();
+  void note_masses();
+  void couple_flow();
+  using FlowBlock = typename ParticleStore<D, T>::Block;
+  std::int64_t list_flow_chunks(FlowPoints<D>& points, std::vector<const FlowBlock*>& blocks) const;
+  void collect_flow_points();
+  void set_moments(FlowPoints<D>& points) const;
+
   // simulation_clock.cpp
   double stable_dt() const;
   PlannedStep plan_first();
@@ -91,6 +103,7 @@ class SimulationImpl final : public Simulation {
   // simulation_output.cpp
   template <class F>
   void visit_block(const State& state, std::size_t number, F&& f) const;
+  void add_flow(const BodyInfo& info, ParticleView& view) const;
   void require_record(const char* what) const;
   std::array<double, 3> position_of(std::uint64_t key, const T* batch, int lane) const;
   void write_row(const ParticleView& particle, const State& state,
@@ -113,7 +126,8 @@ class SimulationImpl final : public Simulation {
   std::unique_ptr<Backend<D, T>> backend_;  ///< refers to bodies_ and executor_
   std::vector<Collider> colliders_;
   std::unique_ptr<ExternalForce> external_;
-  std::vector<double> reference_;  ///< X by particle id, 3 each [m]
+  std::unique_ptr<CoupledFlow<D>> flow_;  ///< pore water, where there is any
+  std::vector<double> reference_;         ///< X by particle id, 3 each [m]
   StepClock clock_;
   PlannedStep planned_{};
   MotionBounds bounds_;

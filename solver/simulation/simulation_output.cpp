@@ -18,6 +18,7 @@ struct BlockSums {
   double kinetic = 0;
   double elastic = 0;
   double max_speed = 0;
+  double fluid = 0;
 
   void add(const BlockSums& other) {
     for (int a = 0; a < 3; ++a) {
@@ -27,6 +28,7 @@ struct BlockSums {
     }
     kinetic += other.kinetic;
     elastic += other.elastic;
+    fluid += other.fluid;
     max_speed = std::max(max_speed, other.max_speed);
   }
 };
@@ -46,6 +48,7 @@ void add_particle(BlockSums& sums, const ParticleView& p, double mass, double vo
   const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
   sums.kinetic += 0.5 * mass * square;
   sums.elastic += volume * p.energy_density;
+  sums.fluid += p.fluid_mass;
   sums.max_speed = std::max(sums.max_speed, std::sqrt(square));
 }
 
@@ -94,6 +97,7 @@ HistoryRow SimulationImpl<D, T>::history() const {
   row.kinetic_energy = total.kinetic;
   row.elastic_energy = total.elastic;
   row.max_speed = total.max_speed;
+  if (flow_) row.fluid = flow_->balance(total.fluid);
   for (std::size_t c = 0; c < colliders_.size(); ++c) {
     const Reaction none;
     const Reaction& r = c < backend_->reactions().size() ? backend_->reactions()[c] : none;
@@ -109,6 +113,7 @@ MemoryReport SimulationImpl<D, T>::memory() const {
   for (const State& state : bodies_) report.particles += state.body->store().bytes();
   report.grid = backend_->grid_bytes();
   report.other = backend_->other_bytes() + std::int64_t(reference_.capacity() * sizeof(double));
+  if (flow_) report.other += flow_->bytes();
   return report;
 }
 
@@ -120,6 +125,7 @@ PhaseTimes SimulationImpl<D, T>::phases() const {
                    {"particles", at(Phase::particles)}};
   if (!fused_) times.emplace_back("stress", at(Phase::stress));
   if (external_) times.emplace_back("external_forces", at(Phase::external));
+  if (flow_) times.emplace_back("pore_pressure", at(Phase::pressure));
   return times;
 }
 

@@ -15,7 +15,8 @@ int lattices_of(KernelType kernel) { return kernel == KernelType::compact ? 2 : 
 
 bool can_fuse(const SimulationSetup& setup) {
   return setup.transfer == TransferType::mls && setup.kernel != KernelType::linear &&
-         setup.damping != DampingType::local && !setup.body_force && setup.tractions.empty();
+         setup.damping != DampingType::local && !setup.body_force && setup.tractions.empty() &&
+         !setup.coupling;
 }
 
 bool needs_separate_force(const SimulationSetup& setup) {
@@ -75,7 +76,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
   if (fused_ && !can_fuse(setup_)) {
     throw UserError(
         "the fused path needs transfer mls with the compact or quadratic kernel, without "
-        "local damping, tractions and body forces");
+        "local damping, tractions, body forces and coupling");
   }
   for (const ColliderSpec& spec : setup_.colliders)
     colliders_.emplace_back(spec, D, setup_.cell_size);
@@ -93,6 +94,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
   }
   backend_ = make_backend();
   backend_->take_particles();
+  make_flow();
   // Of the bodies' setups the output still needs the laws' inputs; the particles' arrays go.
   for (BodySetup& body : setup_.bodies) {
     BodySetup rest;

@@ -270,6 +270,11 @@ std::vector<GridSnapshot> SimulationImpl<D, T>::grid() const {
     snapshot.fields = {std::move(mass), std::move(velocity)};
     out.push_back(std::move(snapshot));
   }
+  if (flow_) {
+    out.push_back(flow_->grid());
+    out.back().time = clock_.time;
+    out.back().step = step_;
+  }
   return out;
 }
 

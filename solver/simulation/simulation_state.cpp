@@ -96,6 +96,7 @@ void SimulationImpl<D, T>::save(StateWriter& writer) const {
   }
   for (const Collider& collider : colliders_) collider.save(writer);
   if (external_) external_->save(writer);
+  if (flow_) flow_->save(writer);
 }
 
 template <int D, class T>
@@ -130,6 +131,7 @@ void SimulationImpl<D, T>::load(const StateReader& reader) {
   }
   for (Collider& collider : colliders_) collider.load(reader);
   if (external_) external_->load(reader);
+  if (flow_) flow_->load(reader);
 }
 
 template class SimulationImpl<2, float>;

@@ -44,7 +44,9 @@ template <int D, class T>
 void SimulationImpl<D, T>::step_split() {
   update_external();
   scatter_all(clock_.dt);
+  note_masses();
   update_grid();
+  couple_flow();
   planned_ = plan(clock_.next_time, step_ + 1);
   const Parameters pass = parameters(clock_.dt, clock_.dt);
   auto start = Clock::now();

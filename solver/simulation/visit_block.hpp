@@ -8,6 +8,20 @@
 
 namespace scree {
 
+/// Coupled pore water: its share of the stress and its own quantities.
+template <int D, class T>
+void SimulationImpl<D, T>::add_flow(const BodyInfo& info, ParticleView& view) const {
+  if (!flow_->has_water(info.body_index)) return;
+  view.pore_pressure = flow_->pressure(view.id);
+  view.biot = flow_->biot(info.body_index);
+  view.porosity = flow_->porosity(info.body_index, view.id, view.volume_ratio);
+  view.seepage = flow_->seepage(view.id);
+  view.fluid_mass = flow_->fluid_mass(info.body_index, view.id, view.volume_ratio);
+  for (const std::size_t i : {0, 3, 5}) {
+    view.kirchhoff[i] -= view.biot * view.volume_ratio * *view.pore_pressure;
+  }
+}
+
 /// Calls f(view) for every living particle of one block.
 template <int D, class T>
 template <class F>
@@ -39,6 +53,7 @@ void SimulationImpl<D, T>::visit_block(const State& state, std::size_t number, F
       }
       for (int i = 0; i < 6; ++i) view.kirchhoff[std::size_t(i)] = value(layout_.stress + i);
       if (water) view.pore_pressure = double(store.batch(b)[(store.fields() - 1) * width + l]);
+      if (flow_) add_flow(state.body->info(), view);
       view.batch = b;
       view.lane = l;
       f(view);

@@ -40,7 +40,7 @@ deck.toml:6:13: domain.cell_size = 1e-9: gives 300000000 cells in y; allowed: at
 deck.toml:6:1: domain.cel_size = 0.005: unknown key; allowed: dimension, lower, upper, cell_size; did you mean "cell_size"?)~"},
     {7, R"~([tim])~",
      R"~(deck.toml:1:1: time: required key is missing; is it meant by the unknown key "tim"?
-deck.toml:7:1: tim = { end = 1.0, cfl = 0.4 }: unknown key; allowed: title, domain, time, method, material, body, traction, boundary, collider, output, frames, history, probe, profile, section, checkpoint; did you mean "time"?)~"},
+deck.toml:7:1: tim = { end = 1.0, cfl = 0.4 }: unknown key; allowed: title, domain, time, method, material, body, traction, coupling, drainage, boundary, collider, output, frames, history, probe, profile, section, checkpoint; did you mean "time"?)~"},
     {8, R"~(end = -1)~",
      R"~(deck.toml:8:7: time.end = -1: is too small; allowed: above 0 s)~"},
     {8, R"~(end = inf)~",

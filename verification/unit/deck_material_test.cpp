@@ -35,7 +35,7 @@ tension_cutoff = "20 kPa")~",
      R"~(deck.toml:19:18: material.sand.friction_angle = 31: is too large; allowed: above 0 deg and below 90 deg; a bare number is in radians; for degrees write "31 deg")~"},
     {19, R"~(friction_angle = "31 deg"
 friction = 0.3)~",
-     R"~(deck.toml:20:1: material.sand.friction = 0.3: unknown key; allowed: model, density, undrained_bulk_modulus, youngs_modulus, poissons_ratio, friction_angle, cohesion, dilation_angle, match, h0, h1, h2, h3; did you mean "friction_angle"?)~"},
+     R"~(deck.toml:20:1: material.sand.friction = 0.3: unknown key; allowed: model, density, undrained_bulk_modulus, porosity, fluid_bulk_modulus, fluid_density, grain_bulk_modulus, biot_coefficient, permeability, fluid_viscosity, hydraulic_conductivity, kozeny_carman, youngs_modulus, poissons_ratio, friction_angle, cohesion, dilation_angle, match, h0, h1, h2, h3; did you mean "friction_angle"?)~"},
     {19, R"~(friction_angle = 0)~",
      R"~(deck.toml:19:18: material.sand.friction_angle = 0: a cone without friction has no tip; allowed: above 0 deg and below 90 deg; use model = "von_mises", whose yield_stress is sqrt(3) times the cohesion in plane strain, twice the cohesion in triaxial states)~"},
     {19, R"~(friction_angle = "31 deg"
@@ -46,10 +46,10 @@ dilation_angle = "40 deg")~",
      R"~(deck.toml:20:18: material.sand.dilation_angle = "40 deg": dilation above friction would create energy; allowed: 0 to friction_angle; lower dilation_angle or raise friction_angle)~"},
     {19, R"~(bulk_modulus = 3)~",
      R"~(deck.toml:14:1: material.sand.friction_angle: required key is missing; allowed: an angle [rad], or friction hardening by h0, h1, h2 and h3; add friction_angle = ...
-deck.toml:19:1: material.sand.bulk_modulus = 3: unknown key; allowed: model, density, undrained_bulk_modulus, youngs_modulus, poissons_ratio, friction_angle, cohesion, dilation_angle, match, h0, h1, h2, h3; remove it)~"},
+deck.toml:19:1: material.sand.bulk_modulus = 3: unknown key; allowed: model, density, undrained_bulk_modulus, porosity, fluid_bulk_modulus, fluid_density, grain_bulk_modulus, biot_coefficient, permeability, fluid_viscosity, hydraulic_conductivity, kozeny_carman, youngs_modulus, poissons_ratio, friction_angle, cohesion, dilation_angle, match, h0, h1, h2, h3; remove it)~"},
     {20, R"~([bodie.column])~",
      R"~(deck.toml:1:1: body: required key is missing; add [body.NAME]
-deck.toml:20:1: bodie = { column = { material = "sand", shape = { type = "box", lower = [0....: unknown key; allowed: title, domain, time, method, material, body, traction, boundary, collider, output, frames, history, probe, profile, section, checkpoint; remove it)~"},
+deck.toml:20:1: bodie = { column = { material = "sand", shape = { type = "box", lower = [0....: unknown key; allowed: title, domain, time, method, material, body, traction, coupling, drainage, boundary, collider, output, frames, history, probe, profile, section, checkpoint; remove it)~"},
     {21, R"~(material = "snad")~",
      R"~(deck.toml:21:12: body.column.material = "snad": there is no [material.snad]; allowed: sand; did you mean "sand"?)~"},
     {21, R"~()~",

@@ -133,7 +133,7 @@ evry = 1)~",
      R"~(deck.toml:29:1: checkpoint.evry = 1: unknown key; allowed: every; did you mean "every"?)~"},
     {28, R"~([histroy]
 every = 1)~",
-     R"~(deck.toml:28:1: histroy = { every = 1 }: unknown key; allowed: title, domain, time, method, material, body, traction, boundary, collider, output, frames, history, probe, profile, section, checkpoint; did you mean "history"?)~"},
+     R"~(deck.toml:28:1: histroy = { every = 1 }: unknown key; allowed: title, domain, time, method, material, body, traction, coupling, drainage, boundary, collider, output, frames, history, probe, profile, section, checkpoint; did you mean "history"?)~"},
     {28, R"~([time])~",
      R"~(deck.toml:28:1: time: is defined twice; first in line 7; remove one of them)~"},
     {28, R"~(cell_size = 5 mm)~",

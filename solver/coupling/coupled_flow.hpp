@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/coupling/coupling_setup.hpp"
+#include "solver/coupling/drained_surface.hpp"
+#include "solver/coupling/flow_points.hpp"
+#include "solver/coupling/node_constraints.hpp"
+#include "solver/coupling/pore_cells.hpp"
+#include "solver/coupling/pressure_matrix.hpp"
+#include "solver/coupling/pressure_solver.hpp"
+#include "solver/coupling/volume_operator.hpp"
+#include "solver/grid/grid_update.hpp"
+#include "solver/io/snapshot.hpp"
+#include "solver/io/state_archive.hpp"
+
+namespace scree {
+
+/// A body as the water sees it.
+struct FlowBody {
+  std::optional<PoreSetup> pores;  ///< nothing: no water
+  double particle_volume = 0;      ///< V0 [m^3] (2D: m^2)
+  std::int64_t first_id = 0;
+};
+
+/// The frame of the computation.
+template <int D>
+struct FlowDomain {
+  KernelType kernel = KernelType::compact;
+  TransferType transfer = TransferType::mls;
+  std::array<std::int32_t, D> cells{};
+  std::array<bool, D> periodic{};
+  std::array<double, 3> lower{};  ///< [m]
+  double cell_size = 1;           ///< [m]
+};
+
+/// What a step gives to the pressure solve.
+template <int D>
+struct FlowStep {
+  double dt = 0;                    ///< [s]
+  double end = 0;                   ///< time after the step [s]
+  std::array<double, 3> gravity{};  ///< [m/s^2]
+  GridDecisions<D> decisions;
+  const std::vector<Collider>* colliders = nullptr;
+  double touch = 0;  ///< see NodeConstraints::find
+};
+
+/// Pore water, two-way coupled: with velocities v* that hold the effective stress and all other
+/// forces, the pressure p of the step's end solves
+///
+///     (S/dt + H + R + dt/L sum Q^T M^-1 Q) p = S p_0/dt - Q^T v*/L + weight - defect/dt
+///
+/// (L lattices) and v = v* + dt M^-1 Q p goes on to the particles. The matrix is that of the
+/// discrete equations themselves, symmetric and positive definite. Derivation, spectra and limits:
+/// docs/coupling.md.
+template <int D>
+class CoupledFlow {
+ public:
+  CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain, std::vector<FlowBody> bodies,
+              std::int64_t particles);
+
+  bool has_water(std::int32_t body) const { return bodies_[std::size_t(body)].pores.has_value(); }
+  /// Half the side of a particle's box at t = 0 [m].
+  double half_side(std::int32_t body) const {
+    return 0.5 * std::pow(bodies_[std::size_t(body)].particle_volume, 1.0 / D);
+  }
+  /// Pressure [Pa] and the law's volume ratio of a particle at t = 0.
+  void start(std::int64_t id, std::int32_t body, double pressure, double volume_ratio);
+
+  /// Must be called before the points of a step are set, whose blocks the topology holds.
+  void follow(const Topology<D>& topology);
+
+  // A step: masses, points, solve.
+  NodeConstraints<D>& constraints() { return constraints_; }
+  FlowPoints<D>& points() { return points_; }
+  /// Fills all of a point but `local`, `id` and `loaded`, which must be set; u: position in cells
+  /// from the domain's lower corner, increment: dt grad v of the last step. Once a step a particle;
+  /// any thread.
+  void fill(FlowPoint<D>& point, std::int32_t body, const double (&u)[D],
+            const Mat3<double>& increment);
+  /// Solves for the pressure. velocity: D entries a node, of v*; becomes v. Throws RunFault where
+  /// the solver does not converge.
+  void solve(const FlowStep<D>& step, std::vector<double>& velocity, const Topology<D>& topology,
+             ThreadPool& pool);
+  /// What the pressure adds to the colliders' reactions of the step.
+  const std::vector<Reaction>& reactions() const { return reactions_; }
+
+  // Of a particle, at the end of the last step.
+  double pressure(std::int64_t id) const { return pressure_[std::size_t(id)]; }
+  std::array<double, 3> seepage(std::int64_t id) const;
+  double porosity(std::int32_t body, std::int64_t id, double volume_ratio) const;
+  double biot(std::int32_t body) const { return bodies_[std::size_t(body)].pores->biot; }
+  /// Mass of the water in a particle's pores [kg].
+  double fluid_mass(std::int32_t body, std::int64_t id, double volume_ratio) const;
+  /// mass: sum of fluid_mass() over the particles.
+  FluidBalance balance(double mass) const;
+
+  /// The nodal pressures of the last step inside and just around the domain, field `pore_pressure`;
+  /// NaN where no water is near and before the first step. Time and step are left to the caller.
+  GridSnapshot grid() const;
+
+  std::int64_t bytes() const;
+  void save(StateWriter& writer) const;
+  void load(const StateReader& reader);
+
+ private:
+  Mat3<double> deformation(std::int64_t id) const;
+  void index_points();
+  void assemble(const FlowStep<D>& step, const std::vector<double>& velocity, ThreadPool& pool);
+  void add_held(double factor);
+  void solve_system(const FlowStep<D>& step);
+  void push(const FlowStep<D>& step, const std::vector<double>& force,
+            std::vector<double>& velocity, const Topology<D>& topology, ThreadPool& pool);
+  Vec3<double> push_group(const FlowStep<D>& step, const NodeGroup<D>& group,
+                          const std::vector<double>& force, std::vector<double>& velocity);
+  std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
+  void gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool);
+
+  CouplingSetup setup_;
+  FlowDomain<D> domain_;
+  std::vector<FlowBody> bodies_;
+  PressureLattice<D> lattice_;
+  double h_;  ///< spacing of the pressure nodes [m]
+  int lattices_;
+  VolumeOperator<D> volume_;
+  PoreCells<D> cells_;
+  PressureMatrix<D> matrix_;
+  NodeConstraints<D> constraints_;
+  DrainedSurfaces<D> surfaces_;
+  PressureSolver solver_;
+  FlowPoints<D> points_;
+  std::vector<std::uint64_t> blocks_;   ///< of the topology that volume_ knows
+  std::vector<std::int32_t> point_of_;  ///< by id, -1: gone
+  std::vector<double> solution_;        ///< by row
+  std::vector<double> nodal_;           ///< by lattice node: the last pressures, to start from
+  std::vector<double> force_;
+  std::vector<Reaction> reactions_;
+  // By particle id:
+  std::vector<double> pressure_;     ///< [Pa]
+  std::vector<double> ratio_;        ///< J of the points of the last step
+  std::vector<double> start_ratio_;  ///< J at t = 0
+  std::vector<double> stored_;       ///< volume that compression made room for since t = 0 [m^3]
+  std::vector<double> seepage_;      ///< D each [m/s]
+  std::vector<double> deformation_;  ///< F since t = 0, D x D each
+  double start_mass_ = 0;            ///< of the water [kg]
+  double outflow_ = 0;               ///< [kg]
+  int iterations_ = 0;
+};
+
+extern template class CoupledFlow<2>;
+extern template class CoupledFlow<3>;
+
+}  // namespace scree

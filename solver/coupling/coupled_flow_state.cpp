@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the outside asks of the pore water, and its part of a checkpoint.
+#include <cmath>
+#include <limits>
+
+#include "solver/base/error.hpp"
+#include "solver/coupling/coupled_flow.hpp"
+
+namespace scree {
+
+template <int D>
+std::array<double, 3> CoupledFlow<D>::seepage(std::int64_t id) const {
+  std::array<double, 3> q{};
+  for (std::size_t a = 0; a < D; ++a) q[a] = seepage_[std::size_t(id) * D + a];
+  return q;
+}
+
+template <int D>
+double CoupledFlow<D>::porosity(std::int32_t body, std::int64_t id, double volume_ratio) const {
+  return porosity_at(*bodies_[std::size_t(body)].pores,
+                     volume_ratio / start_ratio_[std::size_t(id)]);
+}
+
+template <int D>
+double CoupledFlow<D>::fluid_mass(std::int32_t body, std::int64_t id, double volume_ratio) const {
+  const FlowBody& flow = bodies_[std::size_t(body)];
+  if (!flow.pores) return 0;
+  const double start = start_ratio_[std::size_t(id)];
+  const double change = flow.pores->biot * (volume_ratio - start);
+  return flow.pores->fluid_density *
+         (flow.particle_volume * (start * flow.pores->porosity + change) +
+          stored_[std::size_t(id)]);
+}
+
+template <int D>
+FluidBalance CoupledFlow<D>::balance(double mass) const {
+  FluidBalance balance;
+  balance.mass = mass;
+  balance.outflow = outflow_;
+  balance.error = start_mass_ > 0 ? (mass + outflow_ - start_mass_) / start_mass_ : 0;
+  balance.iterations = iterations_;
+  return balance;
+}
+
+template <int D>
+GridSnapshot CoupledFlow<D>::grid() const {
+  GridSnapshot out;
+  out.lattice = "pressure";
+  out.spacing = h_;
+  PressureNode<D> first{};
+  std::int64_t total = 1;
+  for (std::size_t a = 0; a < D; ++a) {
+    first[a] = std::int32_t(std::floor(lattice_.coordinate(0)));
+    const auto last = std::int32_t(std::ceil(lattice_.coordinate(domain_.cells[a])));
+    out.nodes[a] = last - first[a] + 1;
+    out.origin[a] = domain_.lower[a] + h_ * first[a] + domain_.cell_size * lattice_.offset();
+    total *= out.nodes[a];
+  }
+  std::vector<double> values(std::size_t(total), std::numeric_limits<double>::quiet_NaN());
+  for (std::int64_t i = 0; i < total && matrix_.rows() > 0; ++i) {
+    PressureNode<D> node = first;
+    std::int64_t rest = i;
+    for (std::size_t a = 0; a < D; ++a) {
+      node[a] += std::int32_t(rest % out.nodes[a]);
+      rest /= out.nodes[a];
+    }
+    const std::int32_t row = matrix_.row(node);
+    if (row >= 0) values[std::size_t(i)] = solution_[std::size_t(row)];
+  }
+  out.fields.push_back({"pore_pressure", "Pa", 1, std::move(values)});
+  return out;
+}
+
+template <int D>
+std::int64_t CoupledFlow<D>::bytes() const {
+  const std::size_t numbers = solution_.capacity() + nodal_.capacity() + force_.capacity() +
+                              pressure_.capacity() + ratio_.capacity() + start_ratio_.capacity() +
+                              stored_.capacity() + seepage_.capacity() + deformation_.capacity();
+  return std::int64_t(8 * numbers + 4 * point_of_.capacity() +
+                      points_.points.capacity() * sizeof(FlowPoint<D>)) +
+         volume_.bytes() + cells_.bytes() + matrix_.bytes();
+}
+
+template <int D>
+void CoupledFlow<D>::save(StateWriter& writer) const {
+  writer.put("coupling/pressure", pressure_);
+  writer.put("coupling/volume_ratio", ratio_);
+  writer.put("coupling/start_ratio", start_ratio_);
+  writer.put("coupling/stored", stored_);
+  writer.put("coupling/seepage", seepage_);
+  writer.put("coupling/deformation", deformation_);
+  writer.put("coupling/water", std::vector<double>{start_mass_, outflow_, double(iterations_)});
+  std::vector<std::int32_t> alive;
+  for (const std::int32_t point : point_of_) alive.push_back(point >= 0 ? 1 : -1);
+  writer.put("coupling/present", alive);
+  // The solver starts from these, so they belong to the state.
+  std::vector<std::int64_t> nodes;
+  std::vector<double> values;
+  for (std::size_t n = 0; n < nodal_.size(); ++n) {
+    if (nodal_[n] == 0) continue;
+    nodes.push_back(std::int64_t(n));
+    values.push_back(nodal_[n]);
+  }
+  writer.put("coupling/nodes", nodes);
+  writer.put("coupling/nodal_pressure", values);
+}
+
+template <int D>
+void CoupledFlow<D>::load(const StateReader& reader) {
+  const std::size_t particles = pressure_.size();
+  pressure_ = reader.get<double>("coupling/pressure");
+  ratio_ = reader.get<double>("coupling/volume_ratio");
+  start_ratio_ = reader.get<double>("coupling/start_ratio");
+  stored_ = reader.get<double>("coupling/stored");
+  seepage_ = reader.get<double>("coupling/seepage");
+  deformation_ = reader.get<double>("coupling/deformation");
+  point_of_ = reader.get<std::int32_t>("coupling/present");
+  const auto water = reader.get<double>("coupling/water");
+  start_mass_ = water.at(0);
+  outflow_ = water.at(1);
+  iterations_ = int(water.at(2));
+  const auto nodes = reader.get<std::int64_t>("coupling/nodes");
+  const auto values = reader.get<double>("coupling/nodal_pressure");
+  if (pressure_.size() != particles || ratio_.size() != particles ||
+      seepage_.size() != D * particles || deformation_.size() != D * D * particles ||
+      point_of_.size() != particles || nodes.size() != values.size()) {
+    throw RunFault("the checkpoint's pore water does not match this deck");
+  }
+  nodal_.assign(nodal_.size(), 0.0);
+  for (std::size_t n = 0; n < nodes.size(); ++n) nodal_.at(std::size_t(nodes[n])) = values[n];
+}
+
+template class CoupledFlow<2>;
+template class CoupledFlow<3>;
+
+}  // namespace scree

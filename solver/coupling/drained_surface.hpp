@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/base/tensor.hpp"
+#include "solver/coupling/coupling_setup.hpp"
+#include "solver/coupling/flow_points.hpp"
+#include "solver/coupling/pressure_matrix.hpp"
+
+namespace scree {
+
+/// The surfaces on which pore pressure or flux is given. Their faces are carried by their particles
+/// and deform with them.
+///
+/// A pressure is not fixed at nodes, which would be wrong by 13 % on a surface that cuts a cell,
+/// but holds weakly, at the surface itself, through a thin layer of the soil's own mobility k:
+/// outflow per area C k/h (p - p_given), h the spacing of the pressure nodes. The layer is h/C
+/// thick: its error is of first order with a small constant.
+template <int D>
+class DrainedSurfaces {
+ public:
+  static constexpr double layers = 100;  ///< C
+
+  /// first_id[b]: id of the first particle of body b.
+  DrainedSurfaces(std::vector<DrainageSetup> setups, const std::vector<std::int64_t>& first_id);
+
+  bool empty() const { return faces_.empty(); }
+
+  /// Adds the surfaces' part at time t to the system. point_of: index into the points by id, -1 if
+  /// it left; deformation(id): F of a particle since t = 0; h: spacing of the pressure nodes [m];
+  /// lower, cell_size: to turn points into positions.
+  template <class Deformation>
+  void add(const FlowPoints<D>& points, const std::vector<std::int32_t>& point_of,
+           Deformation&& deformation, double t, double h, double cell_size,
+           const PressureLattice<D>& lattice, const std::array<double, 3>& lower,
+           PressureMatrix<D>& matrix) {
+    places_.clear();
+    for (const Face& face : faces_) {
+      const std::int32_t index = point_of[std::size_t(face.id)];
+      if (index < 0) continue;
+      const FlowPoint<D>& p = points.points[std::size_t(index)];
+      const Vec3<double> middle = position(p, lattice, lower, cell_size);
+      add_place(face, p, deformation(face.id), middle, t, h, matrix);
+    }
+  }
+
+  /// Mass of water that flowed out over the step dt at the solved pressures [kg] (2D: kg/m).
+  double outflow(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
+                 double dt) const;
+
+ private:
+  struct Face {
+    std::int32_t surface;
+    std::int64_t id;
+    Vec3<double> area, offset;  ///< at t = 0
+  };
+  /// A face as the last add() saw it: outflow = sum_k n_k conductance (p_k - given) + flux.
+  struct Place {
+    PressureNode<D> cell;
+    double n[1 << D];
+    double conductance, given, flux, density;
+  };
+
+  static Vec3<double> position(const FlowPoint<D>& point, const PressureLattice<D>& lattice,
+                               const std::array<double, 3>& lower, double cell_size);
+  void add_place(const Face& face, const FlowPoint<D>& point, const Mat3<double>& deformation,
+                 const Vec3<double>& middle, double t, double h, PressureMatrix<D>& matrix);
+
+  std::vector<DrainageSetup> setups_;
+  std::vector<Face> faces_;
+  std::vector<Place> places_;
+};
+
+extern template class DrainedSurfaces<2>;
+extern template class DrainedSurfaces<3>;
+
+}  // namespace scree

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "solver/coupling/node_constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scree {
+
+template <int D>
+void NodeConstraints<D>::follow_folds(const GridDecisions<D>& grid) {
+  link_.assign(mass_.size(), Link{});
+  special_.assign(mass_.size(), 0);
+  for (const bool held : {false, true}) {  // the order of the grid update
+    for (int axis = 0; axis < D; ++axis) {
+      const auto& pairs = (*grid.pairs)[std::size_t(axis)];
+      for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const FacePair& pair = pairs[i];
+        if (pair.ghost == pair.image || (*grid.folded)[std::size_t(axis)][i] == 0) continue;
+        if (!(mass_[std::size_t(pair.ghost)] > 0)) continue;  // no particle sees it
+        const FaceType type = grid.faces->type[std::size_t(axis)][std::size_t(pair.side)];
+        if ((type == FaceType::sticky) != held) continue;
+        Link& link = link_[std::size_t(pair.ghost)];
+        if (link.to >= 0) continue;  // it moved away before
+        link = {pair.image, std::int8_t(axis), std::int8_t(pair.side)};
+        special_[std::size_t(pair.ghost)] = special_[std::size_t(pair.image)] = 1;
+      }
+    }
+  }
+}
+
+/// Walls through nodes. Friction that took all of the tangential velocity holds it too.
+template <int D>
+void NodeConstraints<D>::hold_walls(const GridDecisions<D>& grid,
+                                    const std::vector<double>& velocity) {
+  held_.assign(mass_.size(), 0);
+  constexpr char all = char((1 << D) - 1);
+  for (int axis = 0; axis < D; ++axis) {
+    const char bit = char(1 << axis);
+    for (const FacePair& pair : (*grid.pairs)[std::size_t(axis)]) {
+      const FaceType type = grid.faces->type[std::size_t(axis)][std::size_t(pair.side)];
+      if (type == FaceType::periodic || type == FaceType::open) continue;
+      const double* v = &velocity[std::size_t(pair.image) * D];
+      bool slides = false;
+      for (int a = 0; a < D; ++a) slides = slides || (a != axis && v[a] != 0);
+      char& held = held_[std::size_t(pair.image)];
+      const bool stuck = type == FaceType::friction && !slides;
+      if (pair.ghost != pair.image) {
+        const bool follows = link_[std::size_t(pair.ghost)].to == pair.image;
+        if (follows && stuck) held = char(held | (all & ~bit));
+        continue;
+      }
+      const bool may_leave = type == FaceType::separate || type == FaceType::friction;
+      if (may_leave && v[axis] != 0) continue;
+      held = char(held | (type == FaceType::sticky || stuck ? all : bit));
+    }
+  }
+}
+
+template <int D>
+std::int64_t NodeConstraints<D>::root_of(std::int64_t record, const Faces<D>& faces,
+                                         Signs& sign) const {
+  sign.fill(1);
+  while (link_[std::size_t(record)].to >= 0) {
+    const Link& link = link_[std::size_t(record)];
+    const FaceType type = faces.type[std::size_t(link.axis)][std::size_t(link.side)];
+    for (int a = 0; a < D && type != FaceType::periodic; ++a) {
+      if (a == link.axis) sign[std::size_t(a)] = std::int8_t(-sign[std::size_t(a)]);
+      if (a != link.axis && type == FaceType::sticky) sign[std::size_t(a)] = 0;
+    }
+    record = link.to;
+  }
+  return record;
+}
+
+template <int D>
+void NodeConstraints<D>::make_groups(const GridDecisions<D>& grid) {
+  groups_.clear();
+  members_.clear();
+  inverse_.resize(mass_.size());
+  struct Fold {
+    std::int64_t root, record;
+    Signs sign;
+  };
+  std::vector<Fold> folds;
+  for (std::size_t r = 0; r < mass_.size(); ++r) {
+    for (int a = 0; a < D; ++a) {
+      const bool free = mass_[r] > 0 && (held_[r] >> a & 1) == 0;
+      inverse_[r][std::size_t(a)] = free ? grid.keep / mass_[r] : 0.0;
+    }
+    if (special_[r] == 0) continue;
+    Signs sign;
+    const std::int64_t root = root_of(std::int64_t(r), *grid.faces, sign);
+    folds.push_back({root, std::int64_t(r), sign});
+    inverse_[r].fill(-1);
+  }
+  // The root before its ghosts.
+  std::sort(folds.begin(), folds.end(), [](const Fold& a, const Fold& b) {
+    if (a.root != b.root) return a.root < b.root;
+    if ((a.record == a.root) != (b.record == b.root)) return a.record == a.root;
+    return a.record < b.record;
+  });
+  for (std::size_t i = 0; i < folds.size();) {
+    NodeGroup<D> group;
+    group.root = folds[i].root;
+    group.begin = std::int32_t(members_.size());
+    double mass[D] = {};
+    for (; i < folds.size() && folds[i].root == group.root; ++i) {
+      members_.push_back({folds[i].record, folds[i].sign});
+      for (int a = 0; a < D; ++a) {
+        if (folds[i].sign[std::size_t(a)] != 0) mass[a] += mass_[std::size_t(folds[i].record)];
+      }
+    }
+    group.end = std::int32_t(members_.size());
+    const char held = held_[std::size_t(group.root)];
+    InverseMass<D>& inverse = inverse_[std::size_t(group.root)];
+    for (int a = 0; a < D; ++a) {
+      const bool free = mass[a] > 0 && (held >> a & 1) == 0;
+      inverse[std::size_t(a)] = group.inverse[a][a] = free ? grid.keep / mass[a] : 0.0;
+    }
+    groups_.push_back(group);
+  }
+}
+
+/// Takes the directions that colliders hold out of the inverse mass M^-1: with the normal n,
+/// M^-1 - M^-1 n (n . M^-1 n)^-1 n^T M^-1.
+template <int D>
+void NodeConstraints<D>::hold_by_colliders(const std::vector<double>& velocity,
+                                           const std::vector<Collider>& colliders,
+                                           const double x[3], double touch,
+                                           NodeGroup<D>& group) const {
+  const double* v = &velocity[std::size_t(group.root) * D];
+  for (std::size_t c = 0; c < colliders.size(); ++c) {
+    const Collider& collider = colliders[c];
+    if (!collider.touches(x)) continue;
+    const Vec3<double> n = collider.normal(x);
+    double speed = 0, normal = 0, tangential = 0, relative[D];
+    for (int a = 0; a < D; ++a) {
+      relative[a] = v[a] - collider.velocity()[a];
+      speed = std::max({speed, std::abs(v[a]), std::abs(collider.velocity()[a])});
+      normal += relative[a] * n[a];
+    }
+    for (int a = 0; a < D; ++a) {
+      tangential = std::max(tangential, std::abs(relative[a] - normal * n[a]));
+    }
+    const ContactType type = collider.contact();
+    const bool may_leave = type == ContactType::separate || type == ContactType::friction;
+    if (may_leave && normal > touch * speed) continue;
+    if (group.collider < 0) group.collider = std::int32_t(c);
+    const bool stuck = type == ContactType::friction && tangential <= touch * speed;
+    if (type == ContactType::sticky || stuck) {
+      for (auto& row : group.inverse) std::fill(row, row + D, 0.0);
+      continue;
+    }
+    double y[D], size = 0, largest = 0;
+    for (int a = 0; a < D; ++a) {
+      y[a] = 0;
+      for (int b = 0; b < D; ++b) y[a] += group.inverse[a][b] * n[b];
+      size += n[a] * y[a];
+      largest = std::max(largest, group.inverse[a][a]);
+    }
+    if (!(size > 1e-12 * largest)) continue;  // another constraint holds this direction already
+    for (int a = 0; a < D; ++a) {
+      for (int b = 0; b < D; ++b) group.inverse[a][b] -= y[a] * y[b] / size;
+    }
+  }
+}
+
+template class NodeConstraints<2>;
+template class NodeConstraints<3>;
+
+}  // namespace scree

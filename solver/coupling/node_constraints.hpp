@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "solver/boundary/collider.hpp"
+#include "solver/coupling/volume_operator.hpp"
+#include "solver/grid/face_pairs.hpp"
+
+namespace scree {
+
+/// What the grid update has decided about faces and damping.
+template <int D>
+struct GridDecisions {
+  const Faces<D>* faces = nullptr;
+  const FacePairs<D>* pairs = nullptr;
+  const std::array<std::vector<char>, D>* folded = nullptr;  ///< per pair: the ghost follows
+  double keep = 1;  ///< share of a node's velocity that mass damping leaves
+};
+
+/// A velocity node with what moves with it: ghosts beyond walls and periodic faces that the grid
+/// update folded onto it, each axis with the sign of its image, and the directions that walls and
+/// colliders hold.
+template <int D>
+struct NodeGroup {
+  struct Member {
+    std::int64_t record;
+    std::array<std::int8_t, D> sign;  ///< of the root's velocity; 0: held
+  };
+  std::int64_t root = 0;
+  std::int32_t begin = 0, end = 0;  ///< members, the root first
+  double inverse[D][D] = {};        ///< constrained inverse mass [1/kg]
+  std::int32_t collider = -1;       ///< that holds it, -1: none, and inverse is diagonal
+};
+
+/// The inverse mass of the velocity nodes under the constraints of the step.
+///
+/// Contact is what the grid update found for the velocities before the pressure acts: they hold the
+/// effective stress, so a wall pushes back, and rubs, by the effective stress on it. A node in
+/// contact is then held in the wall's direction (where friction stopped it, in all), and the
+/// pressure changes only what is free; what it presses on the wall goes into the reaction.
+template <int D>
+class NodeConstraints {
+ public:
+  /// Must be called when the grid's blocks have changed, with masses as scattered.
+  void begin_step(std::vector<double> mass) { mass_ = std::move(mass); }
+
+  /// velocity: D entries a node, after the grid update. position(record): of a node [m].
+  /// `touch`: relative velocities below this share of a node's speed count as contact.
+  template <class Position>
+  void find(const GridDecisions<D>& grid, const std::vector<double>& velocity,
+            const std::vector<Collider>& colliders, Position&& position, double touch);
+
+  const std::vector<InverseMass<D>>& inverse() const { return inverse_; }
+  const std::vector<NodeGroup<D>>& groups() const { return groups_; }
+  const std::vector<typename NodeGroup<D>::Member>& members() const { return members_; }
+  double mass(std::int64_t record) const { return mass_[std::size_t(record)]; }
+
+ private:
+  using Signs = std::array<std::int8_t, D>;
+  void follow_folds(const GridDecisions<D>& grid);
+  void hold_walls(const GridDecisions<D>& grid, const std::vector<double>& velocity);
+  std::int64_t root_of(std::int64_t record, const Faces<D>& faces, Signs& sign) const;
+  void make_groups(const GridDecisions<D>& grid);
+  void hold_by_colliders(const std::vector<double>& velocity,
+                         const std::vector<Collider>& colliders, const double x[3], double touch,
+                         NodeGroup<D>& group) const;
+
+  struct Link {
+    std::int64_t to = -1;
+    std::int8_t axis = 0, side = 0;
+  };
+  std::vector<double> mass_;  ///< before folding
+  std::vector<InverseMass<D>> inverse_;
+  std::vector<Link> link_;     ///< by record; to < 0: not folded
+  std::vector<char> held_;     ///< by record: bit a: axis a is held
+  std::vector<char> special_;  ///< by record: root or ghost of a fold
+  std::vector<NodeGroup<D>> groups_;
+  std::vector<typename NodeGroup<D>::Member> members_;
+};
+
+template <int D>
+template <class Position>
+void NodeConstraints<D>::find(const GridDecisions<D>& grid, const std::vector<double>& velocity,
+                              const std::vector<Collider>& colliders, Position&& position,
+                              double touch) {
+  follow_folds(grid);
+  hold_walls(grid, velocity);
+  make_groups(grid);
+  if (colliders.empty()) return;
+  std::vector<NodeGroup<D>> touched;
+  for (NodeGroup<D>& group : groups_) {
+    const std::array<double, 3> x = position(group.root);
+    hold_by_colliders(velocity, colliders, x.data(), touch, group);
+    if (group.collider >= 0) inverse_[std::size_t(group.root)].fill(-1);
+  }
+  for (std::size_t r = 0; r < mass_.size(); ++r) {
+    if (!(mass_[r] > 0) || special_[r] != 0) continue;
+    NodeGroup<D> group;
+    group.root = std::int64_t(r);
+    for (int a = 0; a < D; ++a) group.inverse[a][a] = inverse_[r][std::size_t(a)];
+    const std::array<double, 3> x = position(group.root);
+    hold_by_colliders(velocity, colliders, x.data(), touch, group);
+    if (group.collider < 0) continue;
+    group.begin = std::int32_t(members_.size());
+    Signs ones;
+    ones.fill(1);
+    members_.push_back({group.root, ones});
+    group.end = std::int32_t(members_.size());
+    inverse_[r].fill(-1);
+    touched.push_back(group);
+  }
+  groups_.insert(groups_.end(), touched.begin(), touched.end());
+}
+
+extern template class NodeConstraints<2>;
+extern template class NodeConstraints<3>;
+
+}  // namespace scree

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pore water in the step: what CoupledFlow needs of particles and grid, and back.
+#include <algorithm>
+#include <limits>
+
+#include "solver/base/error.hpp"
+#include "solver/simulation/simulation_impl.hpp"
+
+namespace scree {
+
+template <int D, class T>
+void SimulationImpl<D, T>::make_flow() {
+  if (!setup_.coupling) return;
+  if (backend_->updated_grid().velocities == nullptr) {
+    throw UserError("coupling is computed by the processor; use the backend cpu");
+  }
+  FlowDomain<D> domain;
+  domain.kernel = setup_.kernel;
+  domain.transfer = setup_.transfer;
+  domain.lower = setup_.lower;
+  domain.cell_size = setup_.cell_size;
+  for (int a = 0; a < D; ++a) {
+    domain.cells[std::size_t(a)] = domain_.cells[a];
+    domain.periodic[std::size_t(a)] = setup_.faces[std::size_t(a)][0] == FaceType::periodic;
+  }
+  std::vector<FlowBody> bodies;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies.push_back(
+        {setup_.bodies[b].pores, setup_.bodies[b].particle_volume, bodies_[b].first_id});
+  }
+  flow_ = std::make_unique<CoupledFlow<D>>(std::move(*setup_.coupling), domain, std::move(bodies),
+                                           particle_count());
+  setup_.coupling.emplace();  // still says that there is coupling
+  start_flow();
+}
+
+/// Pressures and volume ratios at t = 0.
+template <int D, class T>
+void SimulationImpl<D, T>::start_flow() {
+  constexpr int width = ParticleStore<D, T>::width;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const State& state = bodies_[b];
+    if (!flow_->has_water(std::int32_t(b))) continue;
+    const std::vector<double>& pressure = setup_.bodies[b].pore_pressure;
+    for (const auto& block : state.body->store().blocks()) {
+      for (std::size_t k = 0; k < block.batches.size(); ++k) {
+        const std::int32_t batch = block.batches[k];
+        const int active = std::min(width, block.count - int(k) * width);
+        double ratio[width], energy[width];
+        state.body->evaluate(state.body->store().batch(batch), active, ratio, energy);
+        for (int l = 0; l < active; ++l) {
+          const std::int64_t id = state.body->store().ids(batch)[l];
+          const std::size_t own = std::size_t(id - state.first_id);
+          flow_->start(id, std::int32_t(b), pressure.empty() ? 0.0 : pressure[own], ratio[l]);
+        }
+      }
+    }
+  }
+}
+
+/// Masses as scattered, before faces fold them.
+template <int D, class T>
+void SimulationImpl<D, T>::note_masses() {
+  if (!flow_) return;
+  const AlignedVector<T>& nodes = backend_->momenta();
+  std::vector<double> mass(nodes.size() / node_values);
+  for (std::size_t r = 0; r < mass.size(); ++r)
+    mass[r] = double(nodes[r * node_values + mass_slot]);
+  flow_->constraints().begin_step(std::move(mass));
+}
+
+/// The blocks of particles with water; returns the number of these.
+template <int D, class T>
+std::int64_t SimulationImpl<D, T>::list_flow_chunks(FlowPoints<D>& points,
+                                                    std::vector<const FlowBlock*>& blocks) const {
+  points.chunks.clear();
+  std::int64_t count = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!flow_->has_water(std::int32_t(b))) continue;
+    for (const auto& block : bodies_[b].body->store().blocks()) {
+      FlowChunk<D> chunk;
+      chunk.begin = count;
+      count += block.count;
+      chunk.end = count;
+      chunk.block = block_coord<D>(block.key);
+      chunk.grid_block = backend_->grid().topology().find(block.key);
+      chunk.body = std::int32_t(b);
+      for (int a = 0; a < D; ++a) chunk.colour = 2 * chunk.colour + (chunk.block[a] & 1);
+      points.chunks.push_back(chunk);
+      blocks.push_back(&block);
+    }
+  }
+  return count;
+}
+
+/// The particles with water, block by block.
+template <int D, class T>
+void SimulationImpl<D, T>::collect_flow_points() {
+  constexpr int width = ParticleStore<D, T>::width;
+  FlowPoints<D>& points = flow_->points();
+  std::vector<const FlowBlock*> blocks;
+  const std::int64_t count = list_flow_chunks(points, blocks);
+  points.points.resize(std::size_t(count));
+  points.moments.resize(external_ && external_->has_tractions() ? std::size_t(count) : 0);
+  executor_.pool().for_each(std::int64_t(points.chunks.size()), [&](std::int64_t c, int) {
+    const FlowChunk<D>& chunk = points.chunks[std::size_t(c)];
+    const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
+    for (int i = 0; i < int(chunk.end - chunk.begin); ++i) {
+      const std::int32_t b = blocks[std::size_t(c)]->batches[std::size_t(i / width)];
+      const int lane = i % width;
+      FlowPoint<D>& point = points.points[std::size_t(chunk.begin + i)];
+      point.id = store.ids(b)[lane];
+      double u[D];
+      Mat3<double> increment = zero3<double>();
+      for (int a = 0; a < D; ++a) {
+        point.local[a] = double(store.batch(b)[a * width + lane]);
+        u[a] = point.local[a] + block_cells * chunk.block[a];
+        for (int k = 0; k < D; ++k) {
+          increment(a, k) =
+              double(store.aux_batch(b)[(layout_.increment + a * D + k) * width + lane]);
+        }
+      }
+      point.loaded = !points.moments.empty() && external_->loaded(point.id);
+      flow_->fill(point, chunk.body, u, increment);
+    }
+  });
+  if (!points.moments.empty()) set_moments(points);
+}
+
+/// A traction acts on its face, not on the particle: beside the force that the particle scatters,
+/// water needs its moment, or pressures next to a loaded surface alternate by half of the load.
+template <int D, class T>
+void SimulationImpl<D, T>::set_moments(FlowPoints<D>& points) const {
+  for (const FlowChunk<D>& chunk : points.chunks) {
+    for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
+      const FlowPoint<D>& point = points.points[std::size_t(i)];
+      if (!point.loaded) continue;
+      std::array<double, 3> x{};
+      for (std::size_t a = 0; a < D; ++a) {
+        x[a] = setup_.lower[a] + setup_.cell_size * (block_cells * chunk.block[a] + point.local[a]);
+      }
+      const Mat3<double> m = external_->moment(point.id, &reference_[3 * std::size_t(point.id)],
+                                               x.data(), clock_.time, flow_->half_side(chunk.body));
+      auto& moment = points.moments[std::size_t(i)];
+      for (int k = 0; k < D * D; ++k) moment[std::size_t(k)] = m(k / D, k % D);
+    }
+  }
+}
+
+/// Velocities under the effective stress -> velocities under the pore pressure too.
+template <int D, class T>
+void SimulationImpl<D, T>::couple_flow() {
+  if (!flow_) return;
+  const auto start = std::chrono::steady_clock::now();
+  backend_->give_particles();
+  const UpdatedGrid<D, T> grid = backend_->updated_grid();
+  AlignedVector<T>& nodes = *grid.velocities;
+  flow_->follow(backend_->grid().topology());
+  collect_flow_points();
+  const std::size_t records = nodes.size() / node_values;
+  std::vector<double> velocity(records * D);
+  for (std::size_t r = 0; r < records; ++r) {
+    for (std::size_t a = 0; a < D; ++a) velocity[r * D + a] = double(nodes[r * node_values + a]);
+  }
+  FlowStep<D> step;
+  step.dt = clock_.dt;
+  step.end = clock_.next_time;
+  if (setup_.gravity) step.gravity = setup_.gravity(clock_.time + 0.5 * clock_.dt);
+  step.decisions.faces = &grid.update->faces();
+  step.decisions.pairs = &grid.update->pairs();
+  step.decisions.folded = &grid.update->folded();
+  if (setup_.damping == DampingType::mass) {
+    step.decisions.keep = 1 / (1 + clock_.dt * setup_.damping_value);
+  }
+  step.colliders = &colliders_;
+  step.touch = 64 * double(std::numeric_limits<T>::epsilon());
+  flow_->solve(step, velocity, backend_->grid().topology(), executor_.pool());
+  for (std::size_t r = 0; r < records; ++r) {
+    for (std::size_t a = 0; a < D; ++a) {
+      T& v = nodes[r * node_values + a];
+      const T changed = T(velocity[r * D + a]);
+      if (separate_) (*grid.changes)[r * node_values + a] += changed - v;
+      v = changed;
+    }
+  }
+  grid.update->add_reactions(flow_->reactions());
+  time_phase(Phase::pressure, start);
+}
+
+template class SimulationImpl<2, float>;
+template class SimulationImpl<2, double>;
+template class SimulationImpl<3, float>;
+template class SimulationImpl<3, double>;
+
+}  // namespace scree

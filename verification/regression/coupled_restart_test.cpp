@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Coupled pore water: bitwise the same from a checkpoint, and for any number of threads.
+#include <gtest/gtest.h>
+
+#include "solver/io/memory_archive.hpp"
+#include "verification/support/consolidation.hpp"
+
+namespace scree::testing {
+namespace {
+
+/// A slump that drains, presses on a collider and leaves through an open face.
+SimulationSetup scene(int dimension, int spacing) {
+  const double dx = 0.1, between = dx / 2;
+  SimulationSetup setup = make_setup(dimension, {}, dx, {12, 8, 4});
+  setup.gravity = [](double) { return std::array<double, 3>{0, -9.81, 0}; };
+  setup.faces[1][0] = FaceType::friction;
+  setup.face_friction[1][0] = 0.3;
+  if (dimension == 3) setup.faces[2] = {FaceType::periodic, FaceType::periodic};
+  const auto points = lattice(Vector(0.2, 0, 0), Vector(0.6, 0.4, 0.4), between, dimension);
+  DruckerPrager::Input sand;
+  sand.youngs_modulus = 2e6;
+  sand.poissons_ratio = 0.3;
+  sand.friction_angle = 0.5;
+  BodySetup& body = add_sand(setup, points, between, sand, 2000);
+  body.pores.emplace();
+  body.pores->porosity = 0.4;
+  body.pores->mobility = 1e-7;
+  body.pores->kozeny_carman = true;
+  ColliderSpec post;
+  post.name = "post";
+  post.shape.kind = ShapeKind::box;
+  post.shape.lower = {0.6, 0, -1};
+  post.shape.upper = {0.8, 0.1, 1};
+  post.contact.type = ContactType::friction;
+  post.contact.coefficient = 0.4;
+  setup.colliders.push_back(post);
+  setup.coupling.emplace();
+  setup.coupling->pressure_spacing = spacing;
+  DrainageSetup top;
+  top.name = "top";
+  const double area = dimension == 2 ? between : between * between;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (points[p][1] < 0.35) continue;
+    top.faces.push_back({std::int64_t(p), {0, area, 0}, {0, between / 2, 0}});
+  }
+  setup.coupling->drainage.push_back(top);
+  setup.schedule = Schedule(0.05, 5e-3, 0, 0);
+  return setup;
+}
+
+MemoryArchive end_of(SimulationSetup setup, int threads) {
+  setup.threads = threads;
+  const Schedule schedule = setup.schedule;
+  const auto simulation = Simulation::create(std::move(setup));
+  run(*simulation, schedule);
+  MemoryArchive archive;
+  simulation->save(archive);
+  return archive;
+}
+
+struct Case {
+  int dimension, spacing;
+};
+class CoupledRestart : public ::testing::TestWithParam<Case> {};
+
+TEST_P(CoupledRestart, continues_bitwise) {
+  const SimulationSetup setup = scene(GetParam().dimension, GetParam().spacing);
+  const auto whole = Simulation::create(setup), resumed = Simulation::create(setup);
+  MemoryArchive middle, end, resumed_end;
+  for (int n = 0; n < 7; ++n) whole->step();
+  whole->save(middle);
+  resumed->load(middle);
+  run(*whole, setup.schedule);
+  run(*resumed, setup.schedule);
+  whole->save(end);
+  resumed->save(resumed_end);
+  EXPECT_TRUE(end == resumed_end);
+}
+
+TEST_P(CoupledRestart, threads_do_not_matter) {
+  const SimulationSetup setup = scene(GetParam().dimension, GetParam().spacing);
+  EXPECT_TRUE(end_of(setup, 1) == end_of(setup, 3));
+}
+
+INSTANTIATE_TEST_SUITE_P(all, CoupledRestart,
+                         ::testing::Values(Case{2, 1}, Case{2, 2}, Case{3, 2}));
+
+}  // namespace
+}  // namespace scree::testing
