@@ -4,23 +4,10 @@
 #include <cmath>
 
 #include "solver/boundary/contact.hpp"
-#include "solver/boundary/faces.hpp"
+#include "solver/grid/face_fold.hpp"
 
 namespace scree {
 namespace {
-
-template <int D, class T>
-NodeMomentum<T> read_node(const T* record) {
-  NodeMomentum<T> node{record[mass_slot], {}};
-  for (int a = 0; a < D; ++a) node.momentum[a] = record[a];
-  return node;
-}
-
-template <int D, class T>
-void write_node(T* record, const NodeMomentum<T>& node) {
-  for (int a = 0; a < D; ++a) record[a] = node.momentum[a];
-  record[mass_slot] = node.mass;
-}
 
 /// A node's record {vector, mass} in one register.
 template <class T>
@@ -52,22 +39,6 @@ void divide_by_mass(T* nodes, std::size_t count, T keep) {
     }
     node = node / mass * keep;
     node[mass_slot] = mass;
-  }
-}
-
-/// Local damping of momenta p with all impulses; those before forces, q, become velocities.
-template <int D, class T>
-void damp_nodes(T* p, T* q, std::size_t count, T local) {
-  for (std::size_t i = 0; i < count * node_values; i += node_values) {
-    const T mass = p[i + mass_slot];
-    for (int a = 0; a < D; ++a) {
-      T& momentum = p[i + a];
-      const T old = q[i + a];
-      // Cundall: a fraction of the out-of-balance force opposes the velocity.
-      const T damping = local * std::abs(momentum - old);
-      if (local > T(0)) momentum -= old > T(0) ? damping : old < T(0) ? -damping : T(0);
-      q[i + a] = mass > T(0) ? old / mass : T(0);
-    }
   }
 }
 
@@ -152,65 +123,22 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
       for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
         const FacePair& pair = pairs_[axis][i];
         if ((faces_.type[axis][pair.side] == FaceType::sticky) != held) continue;
+        const FaceType type = faces_.type[axis][pair.side];
+        const T friction = T(faces_.friction[axis][pair.side]);
+        const auto at = [](T* channel, std::int64_t record) {
+          return channel == nullptr ? nullptr : channel + record * node_values;
+        };
         if (pair.ghost == pair.image) {
-          hold_wall_node(pair, axis, p, before);
+          hold_wall_node<D>(type, friction, axis, pair.side, at(p, pair.image),
+                            at(before, pair.image));
         } else {
-          folded_[axis][i] = fold_ghost(pair, axis, p, before) ? 1 : 0;
+          folded_[axis][i] =
+              fold_ghost<D>(type, friction, axis, pair.side, at(p, pair.image), at(p, pair.ghost),
+                            at(before, pair.image), at(before, pair.ghost));
         }
       }
     }
   }
-}
-
-/// A node on a wall. `before` (may be null): momenta before forces.
-template <int D, class T>
-void GridUpdate<D, T>::hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const {
-  const FaceType type = faces_.type[axis][pair.side];
-  T* record = p + pair.image * node_values;
-  NodeMomentum<T> node = read_node<D>(record);
-  plane_node<T, D>(type, T(faces_.friction[axis][pair.side]), axis, pair.side == 0 ? -1 : 1, node);
-  write_node<D>(record, node);
-  if (before == nullptr) return;
-  // So is the momentum before forces, or flip and local damping would see the wall's impulse.
-  for (int a = 0; a < D; ++a) {
-    const bool held = a == axis || type == FaceType::sticky;
-    if (held && node.momentum[a] == T(0)) before[pair.image * node_values + a] = T(0);
-  }
-}
-
-/// A ghost and its image; true if the ghost's mass moved to the image.
-template <int D, class T>
-bool GridUpdate<D, T>::fold_ghost(const FacePair& pair, int axis, T* p, T* before) const {
-  const FaceType type = faces_.type[axis][pair.side];
-  T* image = p + pair.image * node_values;
-  T* ghost = p + pair.ghost * node_values;
-  NodeMomentum<T> real = read_node<D>(image);
-  NodeMomentum<T> other = read_node<D>(ghost);
-  const T own_mass = real.mass;
-  if (type == FaceType::periodic) {
-    for (int a = 0; a < D; ++a) real.momentum[a] += other.momentum[a];
-    real.mass += other.mass;
-    other = NodeMomentum<T>{};
-  } else {
-    const T friction = T(faces_.friction[axis][pair.side]);
-    fold_pair<T, D>(type, friction, axis, pair.side == 0 ? -1 : 1, real, other);
-  }
-  write_node<D>(image, real);
-  write_node<D>(ghost, other);
-  if (other.mass > 0) return false;
-  if (before == nullptr) return true;
-  // The momentum before forces follows in the same way, so that the velocity change is the pair's.
-  Vec3<T> image_before{};
-  for (int a = 0; a < D; ++a) image_before[a] = before[pair.ghost * node_values + a];
-  if (type != FaceType::periodic) image_before = mirror_velocity<T, D>(type, axis, image_before);
-  const bool grows = type == FaceType::sticky && own_mass > T(0);
-  for (int a = 0; a < D; ++a) {
-    T& own = before[pair.image * node_values + a];
-    if (grows && a != axis) own *= real.mass / own_mass;
-    own += image_before[a];
-    before[pair.ghost * node_values + a] = T(0);
-  }
-  return true;
 }
 
 template <int D, class T>
@@ -218,12 +146,8 @@ void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
   for (int axis = 0; axis < D; ++axis) {
     for (const FacePair& pair : pairs_[axis]) {
       if (faces_.type[axis][pair.side] != FaceType::periodic) continue;
-      T* image = channel.data() + pair.image * node_values;
-      T* ghost = channel.data() + pair.ghost * node_values;
-      for (int i = 0; i < node_values; ++i) {
-        image[i] += ghost[i];
-        ghost[i] = T(0);
-      }
+      move_to_image(channel.data() + pair.image * node_values,
+                    channel.data() + pair.ghost * node_values);
     }
   }
 }
@@ -238,10 +162,8 @@ void GridUpdate<D, T>::unfold(T* p, T* q, bool separate) const {
         if ((type == FaceType::sticky) != held) continue;
         if (folded_[axis][i] == 0 || pair.ghost == pair.image) continue;
         for (T* channel : {p, separate ? q : p}) {
-          Vec3<T> v{};
-          for (int a = 0; a < D; ++a) v[a] = channel[pair.image * node_values + a];
-          if (type != FaceType::periodic) v = mirror_velocity<T, D>(type, axis, v);
-          for (int a = 0; a < D; ++a) channel[pair.ghost * node_values + a] = v[a];
+          unfold_ghost<D>(type, axis, channel + pair.image * node_values,
+                          channel + pair.ghost * node_values);
         }
       }
     }
@@ -273,7 +195,11 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
   const T keep =
       forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
   const T local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
-  if (q != nullptr) damp_nodes<D>(p + first, q + first, records, local);
+  if (q != nullptr) {
+    for (std::size_t i = first; i < first + records * node_values; i += node_values) {
+      damp_node<D>(p + i, q + i, p[i + mass_slot], local);
+    }
+  }
   divide_by_mass(p + first, records, keep);
   if (!colliders.empty()) touch_block(grid, block, p + first, colliders);
   if (q != nullptr) subtract_from<D>(p + first, q + first, records);
