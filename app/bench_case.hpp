@@ -6,7 +6,7 @@
 
 namespace scree {
 
-/// The scene of a benchmark in 3D with 8 particles a cell:
+/// The scene of a benchmark with 8 particles a cell in 3D and 4 in 2D:
 /// elastic: a free cube (fixed_corotated) with a smooth velocity field;
 /// sand: a column (drucker_prager) that collapses on a sticky floor;
 /// fluid: a block (j_fluid) that spreads between slip walls.

@@ -18,12 +18,12 @@ struct BenchResult {
   std::int64_t particles = 0;
   int steps = 0;
   int threads = 1;
-  double seconds = 0;
+  StepTime time;
   PhaseTimes phases;  ///< of the timed steps
   MemoryReport memory;
   std::int64_t max_rss_bytes = 0;
 
-  double updates_per_second() const { return double(particles) * steps / seconds; }
+  double updates_per_second() const { return double(particles) * steps / time.seconds; }
   double bytes_per_particle() const { return double(memory.total()) / double(particles); }
 };
 
@@ -36,7 +36,7 @@ BenchResult measure(const BenchOptions& options) {
   const int enough = run.warm_up(wanted_seconds, least_steps);
   result.steps = options.steps > 0 ? options.steps : enough;
   const PhaseTimes before = run.simulation().phases();
-  result.seconds = run.time_steps(result.steps);
+  result.time = run.time_steps(result.steps);
   result.phases = run.simulation().phases();
   for (std::size_t i = 0; i < before.size(); ++i) result.phases[i].second -= before[i].second;
   result.particles = run.simulation().particle_count();
@@ -49,6 +49,7 @@ void print_json(const BenchOptions& options, const BenchResult& r) {
   nlohmann::ordered_json phases;
   for (const auto& [name, seconds] : r.phases) phases[name] = seconds / r.steps;
   const nlohmann::ordered_json out{{"case", options.case_name},
+                                   {"dimension", options.dimension},
                                    {"particles", r.particles},
                                    {"steps", r.steps},
                                    {"precision", options.precision},
@@ -57,7 +58,8 @@ void print_json(const BenchOptions& options, const BenchResult& r) {
                                    {"backend", options.backend},
                                    {"threads", r.threads},
                                    {"particle_updates_per_second", r.updates_per_second()},
-                                   {"seconds_per_step", r.seconds / r.steps},
+                                   {"seconds_per_step", r.time.seconds / r.steps},
+                                   {"busy", r.time.busy(r.threads)},
                                    {"bytes_per_particle", r.bytes_per_particle()},
                                    {"phases", phases},
                                    {"max_rss_bytes", r.max_rss_bytes}};
@@ -65,13 +67,14 @@ void print_json(const BenchOptions& options, const BenchResult& r) {
 }
 
 void print_text(const BenchOptions& options, const BenchResult& r) {
-  const double per_particle = 1e9 * r.seconds / (double(r.particles) * r.steps);
-  fmt::print("{}, {} {}, {} path, {} thread{}: {} particles, {} steps\n", options.case_name,
-             options.kernel, options.precision, options.path, r.threads, r.threads == 1 ? "" : "s",
-             r.particles, r.steps);
+  const double per_particle = 1e9 * r.time.seconds / (double(r.particles) * r.steps);
+  fmt::print("{} {}D, {} {}, {} path, {} thread{}: {} particles, {} steps\n", options.case_name,
+             options.dimension, options.kernel, options.precision, options.path, r.threads,
+             r.threads == 1 ? "" : "s", r.particles, r.steps);
   fmt::print("  particle updates   {:9.2f} million/s ({:.2f} a thread)\n",
              r.updates_per_second() / 1e6, r.updates_per_second() / 1e6 / r.threads);
-  fmt::print("  step               {:9.3f} ms\n", 1e3 * r.seconds / r.steps);
+  fmt::print("  step               {:9.3f} ms, {:.0f} % of the threads' time at work\n",
+             1e3 * r.time.seconds / r.steps, 100 * r.time.busy(r.threads));
   fmt::print("  per particle       {:9.2f} ns\n", per_particle);
   for (const auto& [name, seconds] : r.phases) {
     fmt::print("    {:<16} {:9.2f} ns\n", name, 1e9 * seconds / (double(r.particles) * r.steps));

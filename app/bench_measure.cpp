@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/bench_measure.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,6 +19,14 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+/// Time that the process's threads have computed so far.
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
 }  // namespace
 
 BenchRun::BenchRun(const BenchOptions& options) : options_(options) {
@@ -27,15 +37,17 @@ BenchRun::BenchRun(const BenchOptions& options) : options_(options) {
   set_up_seconds_ = seconds_since(start);
 }
 
-double BenchRun::time_steps(int steps) {
+StepTime BenchRun::time_steps(int steps) {
+  const double cpu_before = cpu_seconds();
   const auto start = Clock::now();
   for (int i = 0; i < steps; ++i) simulation_->step();
-  return seconds_since(start);
+  const double seconds = seconds_since(start);
+  return {seconds, cpu_seconds() - cpu_before};
 }
 
 int BenchRun::warm_up(double seconds, int least) {
   constexpr int steps = 3;
-  const double spent = time_steps(steps);
+  const double spent = time_steps(steps).seconds;
   return std::clamp(int(std::min(seconds / spent * steps, 1e6)), least, std::max(least, 2000));
 }
 
@@ -48,6 +60,7 @@ BestMedian best_and_median(std::vector<double> values) {
 std::vector<StepCost> measure_by_turns(const std::vector<BenchRun*>& runs, const RepeatPlan& plan) {
   std::vector<StepCost> costs(runs.size());
   std::vector<std::vector<double>> ns(runs.size());
+  std::vector<StepTime> total(runs.size());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     costs[i].steps = runs[i]->warm_up(plan.seconds, plan.least_steps);
   }
@@ -55,7 +68,10 @@ std::vector<StepCost> measure_by_turns(const std::vector<BenchRun*>& runs, const
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const double updates =
           double(runs[i]->simulation().particle_count()) * double(costs[i].steps);
-      ns[i].push_back(1e9 * runs[i]->time_steps(costs[i].steps) / updates);
+      const StepTime time = runs[i]->time_steps(costs[i].steps);
+      ns[i].push_back(1e9 * time.seconds / updates);
+      total[i].seconds += time.seconds;
+      total[i].cpu_seconds += time.cpu_seconds;
     }
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -63,6 +79,7 @@ std::vector<StepCost> measure_by_turns(const std::vector<BenchRun*>& runs, const
     costs[i].particles = simulation.particle_count();
     costs[i].threads = runs[i]->threads();
     costs[i].ns_per_particle = best_and_median(ns[i]);
+    costs[i].busy = total[i].busy(costs[i].threads);
     costs[i].bytes_per_particle = double(simulation.memory().total()) / double(costs[i].particles);
     costs[i].traffic = simulation.traffic();
   }

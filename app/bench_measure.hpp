@@ -10,6 +10,16 @@
 
 namespace scree {
 
+/// Time that some steps took.
+struct StepTime {
+  double seconds = 0;      ///< of the clock
+  double cpu_seconds = 0;  ///< that the process computed, all threads together
+
+  /// Share of its threads' time that the process really had: below 1 where it waited, for other
+  /// programs on the machine or for its own slowest thread.
+  double busy(int threads) const { return cpu_seconds / (seconds * threads); }
+};
+
 /// A case of a benchmark in memory, ready to step.
 class BenchRun {
  public:
@@ -21,8 +31,8 @@ class BenchRun {
   int threads() const { return threads_; }
   double set_up_seconds() const { return set_up_seconds_; }  ///< particles, blocks, first stress
 
-  /// Seconds that so many steps take.
-  double time_steps(int steps);
+  /// What so many steps take.
+  StepTime time_steps(int steps);
   /// Steps untimed at first; returns how many steps take about `seconds`, at least `least`.
   int warm_up(double seconds, int least);
 
@@ -55,6 +65,7 @@ struct StepCost {
   int threads = 1;
   int steps = 0;                  ///< of one repeat
   BestMedian ns_per_particle;     ///< wall time of a step over particles
+  double busy = 0;                ///< StepTime::busy of all repeats; shows a disturbed measurement
   double bytes_per_particle = 0;  ///< of memory, as the program counts it
   StepTraffic traffic;            ///< of the last step
 

@@ -9,7 +9,8 @@ namespace scree {
 /// The command line of `scree bench`.
 struct BenchOptions {
   std::string case_name = "elastic";   ///< elastic, sand, fluid
-  std::int64_t particles = 1'000'000;  ///< about; 8 a cell
+  int dimension = 3;                   ///< 2 or 3
+  std::int64_t particles = 1'000'000;  ///< about; 2 an axis and cell
   int steps = 0;                       ///< timed steps; 0: as many as a good measurement needs
   std::string precision = "double";    ///< double, single
   std::string kernel = "compact";      ///< compact, quadratic

@@ -36,6 +36,7 @@ Json cost_json(const StepCost& cost) {
           {"steps", cost.steps},
           {"ns_per_particle", pair_json(cost.ns_per_particle)},
           {"updates_per_second_per_thread", pair_json(cost.rate_per_thread())},
+          {"busy", cost.busy},
           {"bytes_per_particle", cost.bytes_per_particle}};
 }
 
@@ -50,6 +51,7 @@ Json kernel_json(const StepCost& cost, const std::vector<Bandwidth>& bandwidth) 
 
 Json row_json(const TableRow& row, const std::vector<Bandwidth>& bandwidth) {
   return {{"case", row.case_name},
+          {"dimension", row.dimension},
           {"precision", row.precision},
           {"threads", row.threads},
           {"compact", kernel_json(row.compact, bandwidth)},

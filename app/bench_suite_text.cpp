@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace scree {
 namespace {
 
@@ -38,28 +40,30 @@ std::string bandwidth_text(const Bandwidth& bandwidth) {
 
 std::string table_head(const TablePlan& plan) {
   return fmt::format(
-      "\nParticle updates, million/s a thread, best (median) of {}; {} particles, 3D\n"
-      "{:<8} {:<9} {:>7}  {:>15}  {:>15}  {:>9}  {:>21}\n",
+      "\nParticle updates, million/s a thread, best (median) of {}; {} particles\n"
+      "{:<11} {:<9} {:>7}  {:>15}  {:>15}  {:>6}  {:>9}  {:>21}\n",
       plan.repeats.repeats, plan.particles, "case", "precision", "threads", "compact", "quadratic",
-      "c : q", "compact's memory rate");
+      "c : q", "busy", "compact's memory rate");
 }
 
 std::string table_text(const TableRow& row, const std::optional<double>& share) {
   const std::string used =
       share ? fmt::format("{:.0f} B, {:.0f} %", row.compact.traffic_per_particle(), 100 * *share)
             : "unknown";
-  return fmt::format("{:<8} {:<9} {:>7}  {:>15}  {:>15}  {:>9.2f}  {:>21}\n", row.case_name,
-                     row.precision, row.threads, pair_text(row.compact.rate_per_thread(), 1e6),
+  const double busy = std::min(row.compact.busy, row.quadratic.busy);
+  return fmt::format("{:<7} {}D  {:<9} {:>7}  {:>15}  {:>15}  {:>6.2f}  {:>7.0f} %  {:>21}\n",
+                     row.case_name, row.dimension, row.precision, row.threads,
+                     pair_text(row.compact.rate_per_thread(), 1e6),
                      pair_text(row.quadratic.rate_per_thread(), 1e6), row.compact_to_quadratic(),
-                     used);
+                     100 * busy, used);
 }
 
 std::string sweep_head(const SweepPlan& plan) {
   return fmt::format(
       "\nSizes: elastic, compact; ns a particle, best (median) of {}\n"
-      "{:<9} {:>7} {:>10}  {:>17}  {:>8}  {:>16}  {:>20}\n",
-      plan.repeats.repeats, "precision", "threads", "particles", "ns a particle", "set-up s",
-      "bytes a particle", "peak growth/particle");
+      "{:<9} {:>7} {:>10}  {:>17}  {:>6}  {:>8}  {:>16}  {:>20}\n",
+      plan.repeats.repeats, "precision", "threads", "particles", "ns a particle", "busy",
+      "set-up s", "bytes a particle", "peak growth/particle");
 }
 
 std::string sweep_text(const SweepPoint& point) {
@@ -67,10 +71,10 @@ std::string sweep_text(const SweepPoint& point) {
   const std::string growth = point.peak_growth
                                  ? fmt::format("{:.0f}", double(*point.peak_growth) / particles)
                                  : "not told";
-  return fmt::format("{:<9} {:>7} {:>10}  {:>17}  {:>8.2f}  {:>16.1f}  {:>20}\n", point.precision,
-                     point.cost.threads, point.cost.particles,
-                     pair_text(point.cost.ns_per_particle, 1), point.set_up_seconds,
-                     point.cost.bytes_per_particle, growth);
+  return fmt::format("{:<9} {:>7} {:>10}  {:>17}  {:>4.0f} %  {:>8.2f}  {:>16.1f}  {:>20}\n",
+                     point.precision, point.cost.threads, point.cost.particles,
+                     pair_text(point.cost.ns_per_particle, 1), 100 * point.cost.busy,
+                     point.set_up_seconds, point.cost.bytes_per_particle, growth);
 }
 
 std::string left_out_text(const LeftOut& left) {

@@ -12,6 +12,7 @@ namespace scree {
 /// Both kernels on one case, measured by turns.
 struct TableRow {
   std::string case_name;
+  int dimension = 3;
   std::string precision;
   int threads = 1;
   StepCost compact;
@@ -29,7 +30,8 @@ struct TablePlan {
   RepeatPlan repeats;
 };
 
-/// elastic, sand, fluid x single, double x threads; `report` is told each row as it is done.
+/// elastic, sand, fluid x 3D, 2D x single, double x threads; `report` is told each row as it is
+/// done.
 std::vector<TableRow> measure_table(const TablePlan& plan,
                                     const std::function<void(const TableRow&)>& report);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "solver/base/error.hpp"
@@ -167,16 +168,20 @@ void set_loads(const Deck& deck, SimulationSetup& setup) {
   }
 }
 
-bool wants_displacement(const Deck& deck) {
-  const auto& fields = deck.output.fields;
-  return std::find(fields.begin(), fields.end(), "displacement") != fields.end();
-}
-
 }  // namespace
 
 Schedule build_schedule(const Deck& deck) {
-  const double frames = deck.output.format == FrameFormat::none ? 0 : deck.output.every;
-  return Schedule(deck.time.end, deck.history.every, frames, deck.checkpoint.every.value_or(0));
+  const auto window = [](const OutputSpec& spec) {
+    constexpr double always = std::numeric_limits<double>::infinity();
+    return EventStream{spec.every, spec.from, spec.until.value_or(always)};
+  };
+  Schedule schedule(deck.time.end, deck.history.every, 0, deck.checkpoint.every.value_or(0));
+  if (deck.output.format != FrameFormat::none) schedule.set_frames(window(deck.output));
+  for (const OutputSpec& frames : deck.frames) schedule.add(window(frames));
+  for (const ProbeSpec& probe : deck.probes) schedule.add({probe.every});
+  for (const ProfileSpec& profile : deck.profiles) schedule.add({profile.every});
+  for (const SectionSpec& section : deck.sections) schedule.add({section.every});
+  return schedule;
 }
 
 SimulationSetup build_setup(const Deck& deck) {
@@ -203,7 +208,8 @@ SimulationSetup build_setup(const Deck& deck) {
   setup.colliders = deck.colliders;
   set_loads(deck, setup);
   for (std::size_t b = 0; b < deck.bodies.size(); ++b) add_body(deck, std::int32_t(b), setup);
-  setup.keep_reference = wants_displacement(deck) || setup.body_force || !setup.tractions.empty();
+  setup.keep_reference =
+      deck.wants_field("displacement") || setup.body_force || !setup.tractions.empty();
   setup.schedule = build_schedule(deck);
   return setup;
 }

@@ -10,7 +10,8 @@ namespace scree {
 /// the setup gravity and body force throw RunFault where their expressions have no finite value.
 SimulationSetup build_setup(const Deck& deck);
 
-/// History, frame and checkpoint times of a deck.
+/// History, frame and checkpoint times of a deck; then, as further streams, those of frames.NAME,
+/// of probes, profiles and sections, each in the deck's order.
 Schedule build_schedule(const Deck& deck);
 
 }  // namespace scree

@@ -158,7 +158,7 @@ void print_effort(const Deck& deck, const Prediction& prediction) {
   line("steps", fmt::format("about {} to {:.6g} s", count_text(rounded(steps)), deck.time.end));
   const double frames = deck.output.format == FrameFormat::none
                             ? 0
-                            : std::ceil(deck.time.end / deck.output.every * (1 - 1e-9)) + 1;
+                            : double(build_schedule(deck).count(Schedule::frame_stream));
   line("frames", count_text(frames));
   if (!measured.fault.empty() || measured.steps == 0) return;
   line("estimated time", fmt::format("about {} with {} threads (from {} steps on this machine)",

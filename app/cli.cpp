@@ -127,6 +127,10 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
         ->excludes(suite);
   };
   choice("--case", options.case_name, {"elastic", "sand", "fluid"}, "What to simulate");
+  bench.add_option("--dimension", options.dimension, "Of space (default: 3)")
+      ->check(CLI::IsMember({2, 3}))
+      ->type_name("2|3")
+      ->excludes(suite);
   bench.add_option("--steps", options.steps, "Timed steps (default: enough to measure well)")
       ->check(CLI::Range(1, 1'000'000'000))
       ->type_name("N")

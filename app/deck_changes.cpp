@@ -48,6 +48,11 @@ bool allowed(const std::string& key, const std::string& former, const std::strin
   return std::strtod(current.c_str(), nullptr) > std::strtod(former.c_str(), nullptr);
 }
 
+/// What to do instead of the change, for the brackets of its line.
+std::string advice(const std::string& key, const std::string& current) {
+  return key == "time.end" ? "; to stop earlier use --until " + current : "";
+}
+
 std::string shown(const std::map<std::string, std::string>& values, const std::string& key) {
   const auto found = values.find(key);
   return found == values.end() ? "not given" : found->second;
@@ -88,7 +93,7 @@ std::vector<std::string> forbidden_changes(const std::string& former_toml,
     const std::string was = shown(former, key);
     const std::string is = shown(current, key);
     if (was == is || allowed(key, was, is)) continue;
-    changes.push_back(fmt::format("{} = {} (was {})", key, is, was));
+    changes.push_back(fmt::format("{} = {} (was {}{})", key, is, was, advice(key, is)));
   }
   return changes;
 }

@@ -114,6 +114,13 @@ std::string masses_text(const Deck& deck, const SimulationSetup& setup) {
 
 std::vector<std::string> deck_warnings(const Deck& deck, const SimulationSetup& setup) {
   std::vector<std::string> warnings;
+  if (deck.method.kernel == KernelType::linear) {
+    warnings.push_back(
+        "method.kernel = \"linear\" is there for comparison: its forces do not fade with the mass "
+        "of "
+        "a node, and particles at the edge of a body that move from cell to cell blow up sooner or "
+        "later; use compact or quadratic");
+  }
   add_overlaps(deck, setup, warnings);
   add_colliders(deck, setup, warnings);
   add_masses(deck, setup, warnings);

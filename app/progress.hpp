@@ -24,7 +24,8 @@ class Progress {
  public:
   using Clock = std::function<double()>;  ///< wall clock, s
 
-  /// `start` and `end` are simulated times [s].
+  /// `start` and `end` are the simulated times [s] of this call: where it begins, and where it will
+  /// stop. A step may end a little beyond `end`.
   Progress(std::FILE* out, ProgressStyle style, double start, double end, Clock clock);
 
   /// Call it after every step; it decides itself whether to write.

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/output_queue.hpp"
 #include "app/run_folder.hpp"
+#include "app/sampler.hpp"
+#include "solver/io/csv_writer.hpp"
 #include "solver/io/frame_series.hpp"
 #include "solver/io/history_writer.hpp"
 #include "solver/io/output_spec.hpp"
@@ -30,7 +34,12 @@ struct RunIdentity {
 class Recorder {
  public:
   Recorder(const RunFolder& folder, OutputSpec output, bool checkpoints, Schedule schedule,
-           RunIdentity identity);
+           RunIdentity identity, ParticleFilter filter = {});
+
+  /// Before start() or resume(): a further series of frames, or a table of samples, at the times of
+  /// a stream of the schedule.
+  void add_frames(OutputSpec spec, int stream, ParticleFilter filter);
+  void add_samples(std::unique_ptr<Sampler> sampler, int stream);
 
   /// A new run: the header of the history, and what is due at the simulation's time. Throws
   /// RunFault.
@@ -60,32 +69,48 @@ class Recorder {
   std::string kept();
 
  private:
-  struct Events {
-    bool row, frame, checkpoint;
+  /// A series of frames of particles, and of the grid where `grid` is there.
+  struct Frames {
+    OutputSpec spec;
+    int stream;
+    ParticleFilter filter;
+    std::unique_ptr<FrameSeries> particles, grid;
   };
-  /// What is due at this time and was not taken for the same event; counts as taken from now on.
-  Events take_events(double time);
+  struct Samples {
+    std::unique_ptr<Sampler> sampler;
+    int stream;
+    std::optional<CsvWriter> table;
+  };
+
+  /// True if an event of the stream is due at this time and was not taken before; it counts as
+  /// taken from now on.
+  bool take(int stream, double time);
   void take_row(const Simulation& simulation);
-  void take_frames(const Simulation& simulation);
+  void take_frames(const Simulation& simulation, Frames& frames);
+  void take_samples(const Simulation& simulation, Samples& samples);
   void take_checkpoint(const Simulation& simulation);
   void write_checkpoint(const StateBuffer& state, double time);
 
   std::filesystem::path folder_, history_path_, checkpoint_path_;
-  OutputSpec output_;
   bool checkpoints_;
   Schedule schedule_;
   RunIdentity identity_;
   std::int64_t taken_step_ = -1;  ///< of the last checkpoint taken
-  std::optional<double> row_event_, frame_event_, checkpoint_event_;  ///< s, last ones taken
+  std::map<int, double> events_;  ///< s, the last one taken of each stream
   double seconds_ = 0;
 
   // From start() or resume() on only jobs use these; others may after the queue was drained.
-  FrameSeries particles_, grid_;
+  std::vector<std::unique_ptr<Frames>> frames_;
+  std::vector<std::unique_ptr<Samples>> samples_;
   std::optional<HistoryWriter> history_;
   std::optional<double> history_time_, saved_time_;  ///< s, of the last row and checkpoint
 
   OutputQueue queue_;  ///< last: its jobs use what is above
 };
+
+/// Adds what a deck records besides its history and [output]; the streams are those that
+/// build_schedule() gave the schedule.
+void add_records(const Deck& deck, Recorder& recorder);
 
 /// Checks that a checkpoint belongs to this deck, backend and version. Throws UserError naming
 /// every key that changed.

@@ -6,6 +6,7 @@
 #include "materials/registry.hpp"
 #include "solver/deck/deck.hpp"
 #include "solver/element/element_deck.hpp"
+#include "solver/simulation/particle_fields.hpp"
 
 namespace scree {
 namespace {
@@ -18,6 +19,53 @@ std::string with_unit(const std::string& text, Unit unit) {
 
 std::string count_of(const Entry& entry) {
   return entry.length == 0 ? "d" : std::to_string(entry.length);
+}
+
+std::string expression_form(const Entry& entry) {
+  const bool one = entry.kind == EntryKind::formula;
+  const std::string what =
+      one ? "number or expression of " : count_of(entry) + " numbers or expressions of ";
+  return with_unit(what + join(entry.variables), entry.unit);
+}
+
+/// The form of a value that has no range; empty for the others.
+std::string form_without_range(const Entry& entry) {
+  switch (entry.kind) {
+    case EntryKind::flag:
+      return "true, false";
+    case EntryKind::text:
+      return entry.choices.empty() ? "text" : join(entry.choices);
+    case EntryKind::texts:
+      return "array of texts";
+    case EntryKind::choice:
+      return join(entry.choices);
+    case EntryKind::points:
+      return "array of [x, y] [m]";
+    case EntryKind::matrix:
+      return "3 rows of 3 numbers";
+    case EntryKind::table:
+      return "table: see " + entry.nested().name();
+    case EntryKind::list:
+      return "array of tables: see " + entry.nested().name();
+    case EntryKind::named:
+      return "tables [" + entry.key + ".NAME]: see " + entry.nested().name();
+    default:
+      return "";
+  }
+}
+
+std::string form_of_numbers(const Entry& entry) {
+  switch (entry.kind) {
+    case EntryKind::integer:
+      return "integer";
+    case EntryKind::vector:
+      return with_unit(count_of(entry) + " numbers", entry.unit);
+    case EntryKind::formula:
+    case EntryKind::formulas:
+      return expression_form(entry);
+    default:
+      return with_unit("number", entry.unit);
+  }
 }
 
 }  // namespace
@@ -101,6 +149,11 @@ std::vector<Entry> shared_entries(const ReferenceSection& section) {
 
 std::vector<StateField> output_fields(const ReferenceSection& section) {
   std::vector<StateField> fields;
+  if (section.schema == &output_schema()) {
+    for (const ParticleField& field : particle_fields()) {
+      fields.push_back({field.name, field.components, field.unit, field.doc});
+    }
+  }
   const MaterialEntry* model =
       section.model ? find_material_model(section.schema->name()) : nullptr;
   if (model == nullptr) return fields;
@@ -111,45 +164,10 @@ std::vector<StateField> output_fields(const ReferenceSection& section) {
 }
 
 std::string value_form(const Entry& entry) {
-  std::string text;
-  switch (entry.kind) {
-    case EntryKind::number:
-      text = with_unit("number", entry.unit);
-      break;
-    case EntryKind::integer:
-      text = "integer";
-      break;
-    case EntryKind::flag:
-      return "true, false";
-    case EntryKind::text:
-      return entry.choices.empty() ? "text" : join(entry.choices);
-    case EntryKind::texts:
-      return "array of texts";
-    case EntryKind::choice:
-      return join(entry.choices);
-    case EntryKind::vector:
-      text = with_unit(count_of(entry) + " numbers", entry.unit);
-      break;
-    case EntryKind::formula:
-      text = with_unit("number or expression of " + join(entry.variables), entry.unit);
-      break;
-    case EntryKind::formulas:
-      text = with_unit(count_of(entry) + " numbers or expressions of " + join(entry.variables),
-                       entry.unit);
-      break;
-    case EntryKind::points:
-      return "array of [x, y] [m]";
-    case EntryKind::matrix:
-      return "3 rows of 3 numbers";
-    case EntryKind::table:
-      return "table: see " + entry.nested().name();
-    case EntryKind::list:
-      return "array of tables: see " + entry.nested().name();
-    case EntryKind::named:
-      return "tables [" + entry.key + ".NAME]: see " + entry.nested().name();
-  }
+  const std::string form = form_without_range(entry);
+  if (!form.empty()) return form;
   const std::string range = range_text(entry);
-  return range.empty() ? text : text + ", " + range;
+  return form_of_numbers(entry) + (range.empty() ? "" : ", " + range);
 }
 
 std::string default_form(const Entry& entry) {

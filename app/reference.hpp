@@ -42,7 +42,8 @@ class Reference {
 /// schemas.
 std::vector<Entry> shared_entries(const ReferenceSection& section);
 
-/// The output fields that a model adds; none for other schemas.
+/// The output fields that a model adds, or those that all particles have, of [output]; none for
+/// other schemas.
 std::vector<StateField> output_fields(const ReferenceSection& section);
 
 /// What a value is: "number [Pa], above 0 Pa", "d numbers [m]", "compact, quadratic, linear".

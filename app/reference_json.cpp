@@ -47,6 +47,21 @@ Json named_json(const Entry& entry) {
   return {{"type", "object"}, {"minProperties", 1}, {"additionalProperties", item}};
 }
 
+Json enum_json(const std::vector<std::string>& choices) {
+  if (choices.empty()) return {{"type", "string"}};
+  return {{"enum", choices}};
+}
+
+/// Rows of so many numbers; `count` rows, or 0 for three or more.
+Json rows_json(const Entry& entry, int columns, int count) {
+  Entry row = entry;
+  row.length = columns;
+  Json json{{"type", "array"}, {"minItems", 3}};
+  if (count > 0) json["maxItems"] = count;
+  json["items"] = array_json(row, quantity_json(row, false));
+  return json;
+}
+
 Json value_json(const Entry& entry) {
   switch (entry.kind) {
     case EntryKind::number:
@@ -58,31 +73,18 @@ Json value_json(const Entry& entry) {
     case EntryKind::texts:
       return {{"type", "array"}, {"items", {{"type", "string"}}}};
     case EntryKind::text:
-      if (entry.choices.empty()) return {{"type", "string"}};
-      return {{"enum", entry.choices}};
     case EntryKind::choice:
-      return {{"enum", entry.choices}};
+      return enum_json(entry.choices);
     case EntryKind::vector:
       return array_json(entry, quantity_json(entry, false));
     case EntryKind::formula:
       return quantity_json(entry, true);
     case EntryKind::formulas:
       return array_json(entry, quantity_json(entry, true));
-    case EntryKind::points: {
-      Entry pair = entry;
-      pair.length = 2;
-      return {{"type", "array"},
-              {"minItems", 3},
-              {"items", array_json(pair, quantity_json(pair, false))}};
-    }
-    case EntryKind::matrix: {
-      Entry row = entry;
-      row.length = 3;
-      return {{"type", "array"},
-              {"minItems", 3},
-              {"maxItems", 3},
-              {"items", array_json(row, quantity_json(row, false))}};
-    }
+    case EntryKind::points:
+      return rows_json(entry, 2, 0);
+    case EntryKind::matrix:
+      return rows_json(entry, 3, 3);
     case EntryKind::table:
       return reference_to(entry.nested());
     case EntryKind::list:

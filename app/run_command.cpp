@@ -19,6 +19,7 @@
 #include "app/run_loop.hpp"
 #include "app/run_record.hpp"
 #include "app/run_summary.hpp"
+#include "app/sampler.hpp"
 #include "app/signals.hpp"
 #include "generated/build_info.hpp"
 #include "solver/base/error.hpp"
@@ -135,7 +136,11 @@ void Run::build() {
   schedule_ = setup.schedule;
   if (!options_.quiet && !checkpoint_) warn(deck_warnings(deck_, setup));
   simulation_ = Simulation::create(std::move(setup));
-  if (checkpoint_) simulation_->load(*checkpoint_);
+  if (checkpoint_) {
+    simulation_->load(*checkpoint_);
+  } else {
+    check_probes(deck_, simulation_->particle_count());
+  }
 }
 
 void Run::open_files() {
@@ -145,8 +150,9 @@ void Run::open_files() {
   write_record(folder_->record(), record_);
   replace_file(folder_->resolved_deck(), resolved_toml(deck_));
   const bool checkpoints = deck_.checkpoint.every.has_value();
-  recorder_ =
-      std::make_unique<Recorder>(*folder_, deck_.output, checkpoints, schedule_, identity());
+  recorder_ = std::make_unique<Recorder>(*folder_, deck_.output, checkpoints, schedule_, identity(),
+                                         frame_filter(deck_.output, deck_.domain.dimension));
+  add_records(deck_, *recorder_);
   if (checkpoint_) {
     recorder_->resume(*simulation_, *checkpoint_, collider_names(deck_));
     checkpoint_.reset();
@@ -156,10 +162,11 @@ void Run::open_files() {
 }
 
 RunEnd Run::advance() {
-  progress_ = std::make_unique<Progress>(stdout, progress_style(stdout, options_.quiet),
-                                         simulation_->time(), deck_.time.end, wall_clock);
   RunLimits limits;
   if (options_.until) limits.until = *options_.until;
+  progress_ = std::make_unique<Progress>(stdout, progress_style(stdout, options_.quiet),
+                                         simulation_->time(),
+                                         std::min(deck_.time.end, limits.until), wall_clock);
   if (options_.max_steps) limits.max_steps = *options_.max_steps;
   limits.stop_asked = [] { return StopSignals::received() != 0; };
   return run_loop(*simulation_, schedule_, *recorder_, limits, [this] { after_step(); });
@@ -207,8 +214,22 @@ void Run::update_record() {
 
 std::string Run::files() const {
   std::string text = "resolved.toml, run.json";
-  for (const char* name : {"history.csv", "particles.pvd", "grid.pvd", "checkpoint.h5"}) {
-    if (fs::exists(path_ / name)) text += std::string(", ") + name;
+  std::vector<std::string> names{"history.csv"};
+  const auto add_series = [&](const std::string& name) {
+    names.insert(names.end(), {name + ".pvd", name + ".xdmf"});
+  };
+  add_series("particles");
+  add_series("grid");
+  for (const OutputSpec& frames : deck_.frames) {
+    add_series(frames.name);
+    add_series(frames.grid_name());
+  }
+  for (const ProbeSpec& probe : deck_.probes) names.push_back("probes/" + probe.name + ".csv");
+  for (const ProfileSpec& p : deck_.profiles) names.push_back("profiles/" + p.name + ".csv");
+  for (const SectionSpec& s : deck_.sections) names.push_back("sections/" + s.name + ".csv");
+  names.emplace_back("checkpoint.h5");
+  for (const std::string& name : names) {
+    if (fs::exists(path_ / name)) text += ", " + name;
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <regex>
 #include <vector>
 
@@ -18,10 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The files a run leaves in its folder, and in frames/ below; ".tmp" where it was killed.
-const std::regex own_file(
-    R"((resolved\.toml|run\.json|history\.csv|particles\.pvd|grid\.pvd|checkpoint\.h5)(\.tmp)?)");
-const std::regex own_frame(R"((particles|grid(_minus|_plus)?)_[0-9]{6,}\.vt[ui](\.tmp)?)");
+/// The files that every run leaves in its folder; ".tmp" where it was killed.
+const std::regex own_file(R"((resolved\.toml|run\.json|history\.csv|checkpoint\.h5)(\.tmp)?)");
 
 bool holds_run(const fs::path& path) {
   return fs::exists(path / "run.json") || fs::exists(path / "checkpoint.h5");
@@ -63,9 +62,41 @@ void remove_matching(const fs::path& folder, const std::regex& names) {
   for (const fs::path& file : found) fs::remove(file);
 }
 
+/// The names of the tables [`kind`.NAME] of the former run's deck.
+std::vector<std::string> former_names(const fs::path& path, const std::string& kind) {
+  std::vector<std::string> names;
+  std::ifstream deck(path / "resolved.toml");
+  for (std::string line; std::getline(deck, line);) {
+    const std::string begin = "[" + kind + ".";
+    if (!line.starts_with(begin) || !line.ends_with("]")) continue;
+    names.push_back(line.substr(begin.size(), line.size() - begin.size() - 1));
+  }
+  return names;
+}
+
+/// The tables of samples of the former run, and their folder if nothing else is in it.
+void remove_tables(const fs::path& path, const std::string& kind, const std::string& folder) {
+  for (const std::string& name : former_names(path, kind)) {
+    fs::remove(path / folder / (name + ".csv"));
+  }
+  if (fs::is_directory(path / folder) && fs::is_empty(path / folder)) fs::remove(path / folder);
+}
+
 void remove_run(const fs::path& path) {
   const fs::path frames = path / "frames";
-  if (fs::is_directory(frames)) remove_matching(frames, own_frame);
+  std::vector<std::string> series{"particles", "grid"};
+  for (const std::string& name : former_names(path, "frames")) {
+    series.insert(series.end(), {name, name + "_grid"});
+  }
+  for (const std::string& name : series) {
+    if (fs::is_directory(frames)) {
+      remove_matching(frames, std::regex(name + R"((_minus|_plus)?_[0-9]{6,}\.vt[ui](\.tmp)?)"));
+    }
+    remove_matching(path, std::regex(name + R"(\.(pvd|xdmf|h5)(\.tmp)?)"));
+  }
+  remove_tables(path, "probe", "probes");
+  remove_tables(path, "profile", "profiles");
+  remove_tables(path, "section", "sections");
   remove_matching(path, own_file);
 }
 

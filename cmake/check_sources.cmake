@@ -68,7 +68,7 @@ set(files_muparser "^solver/deck/.*\\.cpp$")
 set(header_HDF5 "^(hdf5|H5).*\\.h$")
 set(files_HDF5 "^(solver/io/.*\\.cpp|verification/.*)$")
 set(header_VTK "^vtk")
-set(files_VTK "^(solver/io/.*\\.cpp|postproc/.*\\.cpp|verification/.*)$")
+set(files_VTK "^(solver/io/.*\\.cpp|solver/geometry/vtk_mesh\\.cpp|postproc/.*\\.cpp|verification/.*)$")
 set(header_MPI "^mpi\\.h$")
 set(files_MPI "^$") # no file yet
 set(header_PETSc "^petsc")

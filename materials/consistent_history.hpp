@@ -22,6 +22,7 @@ SCREE_FN V consistent_history(V start, const Flow& flow) {
   constexpr T least_slope = T(1 - largest_softening);
   constexpr T tiny = sizeof(T) == 4 ? T(1e-20) : T(1e-60);
   const V first = flow(start);
+  if (all(first <= T(0))) return start;  // as the steps below would find: nothing yields
   const V limit = start + first * T(1 / least_slope);
   V last = start, last_residual = first, x = start + first;
   for (int i = 0; i < 3; ++i) {

@@ -14,7 +14,7 @@
 #include "materials/cam_clay_return.hpp"
 #include "materials/log_determinant.hpp"
 #include "materials/material.hpp"
-#include "solver/base/eigen.hpp"
+#include "solver/base/eigen_closed.hpp"
 
 namespace scree {
 
@@ -254,7 +254,7 @@ struct ModifiedCamClay {
   template <class V>
   SCREE_FN static Sym3<V> turned_and_strained(const Sym3<V>& s, const Mat3<V>& L, V two_shear) {
     using T = Scalar<V>;
-    const SymEigen<V> eigen = eigen_symmetric(stretch_growth(L));
+    const SymEigen<V> eigen = eigen_symmetric_closed(stretch_growth(L));
     Vec3<V> strain, back;
     SCREE_UNROLL for (int i = 0; i < 3; ++i) {
       strain[i] = T(0.5) * log1p(max(eigen.values[i], broadcast<V>(T(-0.999999))));

@@ -101,7 +101,7 @@ struct Nacc {
     // 1. Trial state: b = U diag(B) U^T and, in units of K, p and q.
     s.F = detail::advance_gradient(L, s.F);
     s.log_volume_ratio = s.log_volume_ratio + detail::log_determinant(L);
-    const SymEigen<V> b = eigen_symmetric(symmetric_product(s.F));
+    const SymEigen<V> b = eigen_symmetric_closed(symmetric_product(s.F));
     const V J = max(det(s.F), broadcast<V>(smallest<T>));
     const Stress<V> trial(p, b.values, J * J);
     const Surface<V> surface(p, s.log_plastic_volume);
@@ -169,7 +169,7 @@ struct Nacc {
   /// y over (M p0)^2, with the p0 of the initial state, but at least K/1000.
   template <class V, class T>
   SCREE_FN static V yield_value(const Params<T>& p, const State<V>& s) {
-    const SymEigen<V> b = eigen_symmetric(symmetric_product(s.F));
+    const SymEigen<V> b = eigen_symmetric_closed(symmetric_product(s.F));
     const V J = max(det(s.F), broadcast<V>(smallest<T>));
     const Stress<V> stress(p, b.values, J * J);
     const Surface<V> surface(p, s.log_plastic_volume);

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Puts the picture together and writes it."""
+import math
 import os
 
 import vtk
@@ -20,7 +21,9 @@ def colour_range(values, asked):
         if not asked[1] > asked[0]:
             raise Mistake(f"--range {asked[0]:g} {asked[1]:g}: LOW must be below HIGH")
         return tuple(asked)
-    ordered = sorted(values.GetValue(i) for i in range(values.GetNumberOfTuples()))
+    if not values:
+        return (0.0, 1.0)
+    ordered = sorted(values)
     low, high = (ordered[round(share * (len(ordered) - 1))] for share in (0.01, 0.99))
     if ordered[-1] - ordered[0] < 1.5 * (high - low):
         low, high = ordered[0], ordered[-1]
@@ -34,7 +37,8 @@ def draw(options):
     path, time = choose_frame(options.run, options.time)
     data = read_frame(path)
     values, label = colour_values(data, options.field, options.component)
-    low, high = colour_range(values, options.range)
+    numbers = [x for x in map(values.GetValue, range(values.GetNumberOfTuples())) if not math.isnan(x)]
+    low, high = colour_range(numbers, options.range)
     function = colour_function(low, high)
     scene = Scene(deck, data, options.crop)
     flat = scene.dimension == 2
@@ -53,7 +57,9 @@ def draw(options):
         add_flat_axes(paper, layout, scene)
     else:
         add_space_axes(paper, layout, scene, renderer)
-    add_colour_bar(paper, layout.bar(), function, (low, high), values.GetRange(), label)
+    extremes = (min(numbers), max(numbers)) if numbers else (low, high)
+    notes = ["grey: no value"] if len(numbers) < values.GetNumberOfTuples() else []
+    add_colour_bar(paper, layout.bar(), function, (low, high), extremes, label, notes)
     title = options.title
     if title is None:
         title = deck.get("title", "") or os.path.basename(os.path.abspath(options.run))

@@ -101,8 +101,17 @@ class Layout:
                 (self.left + self.plot_width) / self.width, (self.bottom + self.plot_height) / self.height)
 
 
-def add_colour_bar(paper, box, function, shown, all_values, label):
-    """A bar in the pixel box (left, bottom, right, top) with ticks to its right.
+def in_two_lines(words, most):
+    """Breaks a text of more than `most` characters at the space nearest to its middle."""
+    spaces = [i for i, c in enumerate(words) if c == " "]
+    if len(words) <= most or not spaces:
+        return words
+    middle = min(spaces, key=lambda i: abs(i - len(words) / 2))
+    return words[:middle] + "\n" + words[middle + 1:]
+
+
+def add_colour_bar(paper, box, function, shown, all_values, label, notes):
+    """A bar in the pixel box (left, bottom, right, top) with ticks to its right and notes below.
 
     `shown` is the range of the colours; where `all_values` goes beyond it, a note says so.
     """
@@ -121,11 +130,12 @@ def add_colour_bar(paper, box, function, shown, all_values, label):
         y = bottom + (top - bottom) * (value - low) / (high - low)
         paper.line((right, y), (right + 7 * s, y), width=1.5)
         paper.text(right + 13 * s, y, words, valign="middle")
-    paper.text(left, top + 16 * s, label)
+    paper.text(left, top + 16 * s, in_two_lines(label, 18))
     beyond = [f"{name} {value:.2g}" for name, value, outside in
               (("min", all_values[0], all_values[0] < low), ("max", all_values[1], all_values[1] > high)) if outside]
-    if beyond:
-        paper.text(left, bottom - 14 * s, ", ".join(beyond), size=18, valign="top")
+    lines = ([", ".join(beyond)] if beyond else []) + notes
+    if lines:
+        paper.text(left, bottom - 14 * s, "\n".join(lines), size=18, valign="top")
 
 
 def add_flat_axes(paper, layout, scene):

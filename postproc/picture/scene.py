@@ -85,6 +85,7 @@ def colour_function(low, high):
     function = vtk.vtkColorTransferFunction()
     for i, colour in enumerate(VIRIDIS):
         function.AddRGBPoint(low + (high - low) * i / (len(VIRIDIS) - 1), *colour)
+    function.SetNanColor(*FAINT)  # materials without the field
     return function
 
 

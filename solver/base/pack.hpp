@@ -2,8 +2,8 @@
 /// \file
 /// SIMD lanes. Point physics is written once over a type V that is either a scalar (float, double)
 /// or a Pack of them; every operation below exists for both under the same name and gives the same
-/// value in each lane as for a scalar. Compiler vector extensions do the arithmetic; the few
-/// intrinsics of the project are in this file, with portable fallbacks.
+/// value in each lane as for a scalar. Compiler vector extensions do the arithmetic; intrinsics are
+/// in register_x86.hpp, with portable fallbacks.
 #pragma once
 
 #include <cmath>
@@ -11,75 +11,86 @@
 #include <type_traits>
 
 #include "solver/base/config.hpp"
-
-#if defined(__AVX512F__) && defined(__AVX512DQ__) && !defined(__CUDACC__)
-#define SCREE_AVX512 1
-#include <immintrin.h>
-#elif defined(__SSE2__) && !defined(__CUDACC__)
-#include <immintrin.h>
-#endif
+#include "solver/base/register.hpp"
 
 namespace scree {
 
 namespace detail {
-
-template <class T>
-using IntOfSize = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-
+/// Whether W lanes of T fit into one register; a wider Pack is two halves.
 template <class T, int W>
-struct VectorOf {
-  typedef T type __attribute__((vector_size(W * sizeof(T))));
-};
-
-#ifdef SCREE_AVX512
-/// Lanes of one 64-byte register use the mask registers of AVX-512.
-template <class T, int W>
-inline constexpr bool uses_mask_register = W * sizeof(T) == 64;
-#else
-template <class T, int W>
-inline constexpr bool uses_mask_register = false;
-#endif
-
-template <class T, int W>
-struct MaskStorage {
-  using type = typename VectorOf<IntOfSize<T>, W>::type;
-};
-#ifdef SCREE_AVX512
-template <>
-struct MaskStorage<float, 16> {
-  using type = __mmask16;
-};
-template <>
-struct MaskStorage<double, 8> {
-  using type = __mmask8;
-};
-template <>
-struct MaskStorage<std::int32_t, 16> {
-  using type = __mmask16;
-};
-template <>
-struct MaskStorage<std::int64_t, 8> {
-  using type = __mmask8;
-};
-#endif
-
+inline constexpr bool in_one_register = W* int(sizeof(T)) <= register_bytes;
 }  // namespace detail
 
 /// One truth value per lane. Integer lanes share the mask of the real lanes of the same size.
-template <class T, int W>
+template <class T, int W, bool whole = detail::in_one_register<T, W>>
 struct Mask {
-  using Storage = typename detail::MaskStorage<T, W>::type;
-  Storage bits;
+  Mask<T, W / 2> low, high;
 
-  friend SCREE_FN Mask operator&(Mask a, Mask b) { return {Storage(a.bits & b.bits)}; }
-  friend SCREE_FN Mask operator|(Mask a, Mask b) { return {Storage(a.bits | b.bits)}; }
-  friend SCREE_FN Mask operator!(Mask a) { return {Storage(~a.bits)}; }
+  friend SCREE_FN Mask operator&(Mask a, Mask b) { return {a.low & b.low, a.high & b.high}; }
+  friend SCREE_FN Mask operator|(Mask a, Mask b) { return {a.low | b.low, a.high | b.high}; }
+  friend SCREE_FN Mask operator!(Mask a) { return {!a.low, !a.high}; }
+};
+
+template <class T, int W>
+struct Mask<T, W, true> {
+  using Bits = typename detail::Register<T, W>::MaskVector;
+  Bits bits;
+
+  friend SCREE_FN Mask operator&(Mask a, Mask b) { return {Bits(a.bits & b.bits)}; }
+  friend SCREE_FN Mask operator|(Mask a, Mask b) { return {Bits(a.bits | b.bits)}; }
+  friend SCREE_FN Mask operator!(Mask a) { return {Bits(~a.bits)}; }
 };
 
 /// W lanes of T (float, double, std::int32_t or std::int64_t). Aligned to its size.
-template <class T, int W>
+template <class T, int W, bool whole = detail::in_one_register<T, W>>
 struct alignas(W * sizeof(T)) Pack {
-  using Vector = typename detail::VectorOf<T, W>::type;
+  using Half = Pack<T, W / 2>;
+  using MaskType = Mask<T, W>;
+  Half low, high;
+
+  friend SCREE_FN Pack operator+(Pack a, Pack b) { return {a.low + b.low, a.high + b.high}; }
+  friend SCREE_FN Pack operator-(Pack a, Pack b) { return {a.low - b.low, a.high - b.high}; }
+  friend SCREE_FN Pack operator*(Pack a, Pack b) { return {a.low * b.low, a.high * b.high}; }
+  friend SCREE_FN Pack operator/(Pack a, Pack b) { return {a.low / b.low, a.high / b.high}; }
+  friend SCREE_FN Pack operator+(Pack a, T b) { return {a.low + b, a.high + b}; }
+  friend SCREE_FN Pack operator-(Pack a, T b) { return {a.low - b, a.high - b}; }
+  friend SCREE_FN Pack operator*(Pack a, T b) { return {a.low * b, a.high * b}; }
+  friend SCREE_FN Pack operator/(Pack a, T b) { return {a.low / b, a.high / b}; }
+  friend SCREE_FN Pack operator+(T a, Pack b) { return {a + b.low, a + b.high}; }
+  friend SCREE_FN Pack operator-(T a, Pack b) { return {a - b.low, a - b.high}; }
+  friend SCREE_FN Pack operator*(T a, Pack b) { return {a * b.low, a * b.high}; }
+  friend SCREE_FN Pack operator/(T a, Pack b) { return {a / b.low, a / b.high}; }
+  friend SCREE_FN Pack operator-(Pack a) { return {-a.low, -a.high}; }
+
+  SCREE_FN Pack& operator+=(Pack b) { return *this = *this + b; }
+  SCREE_FN Pack& operator-=(Pack b) { return *this = *this - b; }
+  SCREE_FN Pack& operator*=(Pack b) { return *this = *this * b; }
+
+  friend SCREE_FN MaskType operator<(Pack a, Pack b) { return {a.low < b.low, a.high < b.high}; }
+  friend SCREE_FN MaskType operator<=(Pack a, Pack b) { return {a.low <= b.low, a.high <= b.high}; }
+  friend SCREE_FN MaskType operator>(Pack a, Pack b) { return b < a; }
+  friend SCREE_FN MaskType operator>=(Pack a, Pack b) { return b <= a; }
+  friend SCREE_FN MaskType operator==(Pack a, Pack b) { return {a.low == b.low, a.high == b.high}; }
+  friend SCREE_FN MaskType operator<(Pack a, T b) { return a < all_of(b); }
+  friend SCREE_FN MaskType operator<=(Pack a, T b) { return a <= all_of(b); }
+  friend SCREE_FN MaskType operator>(Pack a, T b) { return a > all_of(b); }
+  friend SCREE_FN MaskType operator>=(Pack a, T b) { return a >= all_of(b); }
+  friend SCREE_FN MaskType operator==(Pack a, T b) { return a == all_of(b); }
+
+  // Bit operations, integer lanes only.
+  friend SCREE_FN Pack operator&(Pack a, Pack b) { return {a.low & b.low, a.high & b.high}; }
+  friend SCREE_FN Pack operator|(Pack a, Pack b) { return {a.low | b.low, a.high | b.high}; }
+  friend SCREE_FN Pack operator<<(Pack a, int n) { return {a.low << n, a.high << n}; }
+  friend SCREE_FN Pack operator>>(Pack a, int n) { return {a.low >> n, a.high >> n}; }
+
+  /// The same value in every lane.
+  static SCREE_FN Pack all_of(T x) { return {Half::all_of(x), Half::all_of(x)}; }
+};
+
+template <class T, int W>
+struct alignas(W * sizeof(T)) Pack<T, W, true> {
+  using Register = detail::Register<T, W>;
+  using Vector = typename Register::Vector;
   using MaskType = Mask<T, W>;
   Vector v;
 
@@ -101,50 +112,23 @@ struct alignas(W * sizeof(T)) Pack {
   SCREE_FN Pack& operator-=(Pack b) { return *this = *this - b; }
   SCREE_FN Pack& operator*=(Pack b) { return *this = *this * b; }
 
-  friend SCREE_FN MaskType operator<(Pack a, Pack b) { return compare<0>(a, b); }
-  friend SCREE_FN MaskType operator<=(Pack a, Pack b) { return compare<1>(a, b); }
-  friend SCREE_FN MaskType operator>(Pack a, Pack b) { return compare<0>(b, a); }
-  friend SCREE_FN MaskType operator>=(Pack a, Pack b) { return compare<1>(b, a); }
-  friend SCREE_FN MaskType operator==(Pack a, Pack b) { return compare<2>(a, b); }
+  friend SCREE_FN MaskType operator<(Pack a, Pack b) { return {Register::less(a.v, b.v)}; }
+  friend SCREE_FN MaskType operator<=(Pack a, Pack b) { return {Register::less_equal(a.v, b.v)}; }
+  friend SCREE_FN MaskType operator>(Pack a, Pack b) { return b < a; }
+  friend SCREE_FN MaskType operator>=(Pack a, Pack b) { return b <= a; }
+  friend SCREE_FN MaskType operator==(Pack a, Pack b) { return {Register::equal(a.v, b.v)}; }
   friend SCREE_FN MaskType operator<(Pack a, T b) { return a < all_of(b); }
   friend SCREE_FN MaskType operator<=(Pack a, T b) { return a <= all_of(b); }
   friend SCREE_FN MaskType operator>(Pack a, T b) { return a > all_of(b); }
   friend SCREE_FN MaskType operator>=(Pack a, T b) { return a >= all_of(b); }
   friend SCREE_FN MaskType operator==(Pack a, T b) { return a == all_of(b); }
 
-  // Bit operations, integer lanes only.
   friend SCREE_FN Pack operator&(Pack a, Pack b) { return {a.v & b.v}; }
   friend SCREE_FN Pack operator|(Pack a, Pack b) { return {a.v | b.v}; }
   friend SCREE_FN Pack operator<<(Pack a, int n) { return {a.v << n}; }
-  friend SCREE_FN Pack operator>>(Pack a, int n) { return {a.v >> n}; }
+  friend SCREE_FN Pack operator>>(Pack a, int n) { return {Register::shift_right(a.v, n)}; }
 
-  /// The same value in every lane.
   static SCREE_FN Pack all_of(T x) { return {x - Vector{}}; }
-
- private:
-  template <int Op>  // 0: <, 1: <=, 2: ==
-  static SCREE_FN MaskType compare(Pack a, Pack b) {
-#ifdef SCREE_AVX512
-    constexpr int real_op = Op == 0 ? _CMP_LT_OQ : Op == 1 ? _CMP_LE_OQ : _CMP_EQ_OQ;
-    constexpr auto int_op = Op == 0 ? _MM_CMPINT_LT : Op == 1 ? _MM_CMPINT_LE : _MM_CMPINT_EQ;
-    if constexpr (std::is_same_v<T, float> && W == 16) {
-      return {_mm512_cmp_ps_mask(__m512(a.v), __m512(b.v), real_op)};
-    } else if constexpr (std::is_same_v<T, double> && W == 8) {
-      return {_mm512_cmp_pd_mask(__m512d(a.v), __m512d(b.v), real_op)};
-    } else if constexpr (std::is_same_v<T, std::int32_t> && W == 16) {
-      return {_mm512_cmp_epi32_mask(__m512i(a.v), __m512i(b.v), int_op)};
-    } else if constexpr (std::is_same_v<T, std::int64_t> && W == 8) {
-      return {_mm512_cmp_epi64_mask(__m512i(a.v), __m512i(b.v), int_op)};
-    } else
-#endif
-        if constexpr (Op == 0) {
-      return {typename MaskType::Storage(a.v < b.v)};
-    } else if constexpr (Op == 1) {
-      return {typename MaskType::Storage(a.v <= b.v)};
-    } else {
-      return {typename MaskType::Storage(a.v == b.v)};
-    }
-  }
 };
 
 /// The project's lane type: 64 bytes whatever the instruction set (16 floats or 8 doubles), so that

@@ -7,13 +7,14 @@
 
 namespace scree {
 
-#ifdef SCREE_AVX512
 namespace detail {
-// The forms with a full mask compile to the plain instructions; the plain intrinsics of GCC 12 pass
-// an uninitialised operand, which -Wmaybe-uninitialized reports.
-inline constexpr int every_lane = -1;
+template <class V>
+inline constexpr bool is_split = requires {
+  typename V::Half;
+};
+template <class I>
+using RealOfSize = std::conditional_t<sizeof(I) == 4, float, double>;
 }  // namespace detail
-#endif
 
 // ---- broadcast, memory, single lanes ----
 
@@ -32,6 +33,9 @@ template <class V>
 SCREE_FN V load(const Scalar<V>* p) {
   if constexpr (lanes_of<V> == 1) {
     return *p;
+  } else if constexpr (detail::is_split<V>) {
+    using Half = typename V::Half;
+    return {load<Half>(p), load<Half>(p + lanes_of<Half>)};
   } else {
     typedef typename V::Vector __attribute__((may_alias)) Aliased;
     return {typename V::Vector(*reinterpret_cast<const Aliased*>(p))};
@@ -43,6 +47,9 @@ template <class V>
 SCREE_FN void store(Scalar<V>* p, V x) {
   if constexpr (lanes_of<V> == 1) {
     *p = x;
+  } else if constexpr (detail::is_split<V>) {
+    store(p, x.low);
+    store(p + lanes_of<V> / 2, x.high);
   } else {
     typedef typename V::Vector __attribute__((may_alias)) Aliased;
     *reinterpret_cast<Aliased*>(p) = x.v;
@@ -55,6 +62,8 @@ SCREE_FN Scalar<V> lane(const V& x, int i) {
   if constexpr (lanes_of<V> == 1) {
     (void)i;
     return x;
+  } else if constexpr (detail::is_split<V>) {
+    return i < lanes_of<V> / 2 ? lane(x.low, i) : lane(x.high, i - lanes_of<V> / 2);
   } else {
     return x.v[i];
   }
@@ -66,6 +75,12 @@ SCREE_FN void set_lane(V& x, int i, Scalar<V> value) {
   if constexpr (lanes_of<V> == 1) {
     (void)i;
     x = value;
+  } else if constexpr (detail::is_split<V>) {
+    if (i < lanes_of<V> / 2) {
+      set_lane(x.low, i, value);
+    } else {
+      set_lane(x.high, i - lanes_of<V> / 2, value);
+    }
   } else {
     x.v[i] = value;
   }
@@ -80,7 +95,9 @@ SCREE_FN bool lane(bool m, int) { return m; }
 /// Truth value of lane i.
 template <class T, int W>
 SCREE_FN bool lane(Mask<T, W> m, int i) {
-  if constexpr (detail::uses_mask_register<T, W>) {
+  if constexpr (!detail::in_one_register<T, W>) {
+    return i < W / 2 ? lane(m.low, i) : lane(m.high, i - W / 2);
+  } else if constexpr (detail::Register<T, W>::mask_bits) {
     return (m.bits >> i) & 1;
   } else {
     return m.bits[i] != 0;
@@ -90,12 +107,10 @@ SCREE_FN bool lane(Mask<T, W> m, int i) {
 /// True if any lane is true.
 template <class T, int W>
 SCREE_FN bool any(Mask<T, W> m) {
-  if constexpr (detail::uses_mask_register<T, W>) {
-    return m.bits != 0;
+  if constexpr (!detail::in_one_register<T, W>) {
+    return any(m.low | m.high);
   } else {
-    bool found = false;
-    for (int i = 0; i < W; ++i) found = found | (m.bits[i] != 0);
-    return found;
+    return detail::Register<T, W>::any(m.bits);
   }
 }
 
@@ -112,7 +127,7 @@ SCREE_FN MaskOf<V> first_lanes(int n) {
     return n > 0;
   } else {
     V index{};
-    SCREE_UNROLL for (int i = 0; i < lanes_of<V>; ++i) index.v[i] = Scalar<V>(i);
+    SCREE_UNROLL for (int i = 0; i < lanes_of<V>; ++i) set_lane(index, i, Scalar<V>(i));
     return index < Scalar<V>(n);
   }
 }
@@ -124,21 +139,10 @@ SCREE_FN double select(bool m, double a, double b) { return m ? a : b; }
 /// zero.
 template <class T, int W>
 SCREE_FN Pack<T, W> select(Mask<T, W> m, Pack<T, W> a, Pack<T, W> b) {
-#ifdef SCREE_AVX512
-  if constexpr (std::is_same_v<T, float> && W == 16) {
-    return {typename Pack<T, W>::Vector(_mm512_mask_blend_ps(m.bits, __m512(b.v), __m512(a.v)))};
-  } else if constexpr (std::is_same_v<T, double> && W == 8) {
-    return {typename Pack<T, W>::Vector(_mm512_mask_blend_pd(m.bits, __m512d(b.v), __m512d(a.v)))};
-  } else if constexpr (std::is_same_v<T, std::int32_t> && W == 16) {
-    return {
-        typename Pack<T, W>::Vector(_mm512_mask_blend_epi32(m.bits, __m512i(b.v), __m512i(a.v)))};
-  } else if constexpr (std::is_same_v<T, std::int64_t> && W == 8) {
-    return {
-        typename Pack<T, W>::Vector(_mm512_mask_blend_epi64(m.bits, __m512i(b.v), __m512i(a.v)))};
-  } else
-#endif
-  {
-    return {m.bits ? a.v : b.v};
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {select(m.low, a.low, b.low), select(m.high, a.high, b.high)};
+  } else {
+    return {detail::Register<T, W>::select(m.bits, a.v, b.v)};
   }
 }
 template <class T, int W>
@@ -170,7 +174,11 @@ SCREE_FN int to_int(double a) { return int(a); }
 /// a < b ? a : b; the second operand where either is not a number (like the machine instruction).
 template <class T, int W>
 SCREE_FN Pack<T, W> min(Pack<T, W> a, Pack<T, W> b) {
-  return select(a < b, a, b);
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {min(a.low, b.low), min(a.high, b.high)};
+  } else {
+    return {detail::Register<T, W>::min(a.v, b.v)};
+  }
 }
 template <class T, int W>
 SCREE_FN Pack<T, W> min(Pack<T, W> a, std::type_identity_t<T> b) {
@@ -178,88 +186,56 @@ SCREE_FN Pack<T, W> min(Pack<T, W> a, std::type_identity_t<T> b) {
 }
 template <class T, int W>
 SCREE_FN Pack<T, W> max(Pack<T, W> a, Pack<T, W> b) {
-  return select(a > b, a, b);
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {max(a.low, b.low), max(a.high, b.high)};
+  } else {
+    return {detail::Register<T, W>::max(a.v, b.v)};
+  }
 }
 template <class T, int W>
 SCREE_FN Pack<T, W> max(Pack<T, W> a, std::type_identity_t<T> b) {
   return max(a, Pack<T, W>::all_of(b));
 }
 
-#ifdef SCREE_AVX512
-SCREE_FN Pack<float, 16> min(Pack<float, 16> a, Pack<float, 16> b) {
-  return {
-      Pack<float, 16>::Vector(_mm512_maskz_min_ps(detail::every_lane, __m512(a.v), __m512(b.v)))};
-}
-SCREE_FN Pack<double, 8> min(Pack<double, 8> a, Pack<double, 8> b) {
-  return {
-      Pack<double, 8>::Vector(_mm512_maskz_min_pd(detail::every_lane, __m512d(a.v), __m512d(b.v)))};
-}
-SCREE_FN Pack<float, 16> max(Pack<float, 16> a, Pack<float, 16> b) {
-  return {
-      Pack<float, 16>::Vector(_mm512_maskz_max_ps(detail::every_lane, __m512(a.v), __m512(b.v)))};
-}
-SCREE_FN Pack<double, 8> max(Pack<double, 8> a, Pack<double, 8> b) {
-  return {
-      Pack<double, 8>::Vector(_mm512_maskz_max_pd(detail::every_lane, __m512d(a.v), __m512d(b.v)))};
-}
-#endif
-
 /// Absolute value: clears the sign bit.
 template <class T, int W>
 SCREE_FN Pack<T, W> abs(Pack<T, W> a) {
-  using Bits = typename Pack<detail::IntOfSize<T>, W>::Vector;
-  constexpr auto sign = std::make_unsigned_t<detail::IntOfSize<T>>(1) << (8 * sizeof(T) - 1);
-  return {typename Pack<T, W>::Vector(Bits(a.v) & detail::IntOfSize<T>(~sign))};
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {abs(a.low), abs(a.high)};
+  } else {
+    using Bits = typename detail::Register<T, W>::IntVector;
+    constexpr auto sign = std::make_unsigned_t<detail::IntOfSize<T>>(1) << (8 * sizeof(T) - 1);
+    return {typename Pack<T, W>::Vector(Bits(a.v) & detail::IntOfSize<T>(~sign))};
+  }
 }
 
 /// Largest integer not above a.
 template <class T, int W>
 SCREE_FN Pack<T, W> floor(Pack<T, W> a) {
-#ifdef SCREE_AVX512
-  constexpr int down = _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC;
-  if constexpr (std::is_same_v<T, float> && W == 16) {
-    return {typename Pack<T, W>::Vector(
-        _mm512_maskz_roundscale_ps(detail::every_lane, __m512(a.v), down))};
-  } else if constexpr (std::is_same_v<T, double> && W == 8) {
-    return {typename Pack<T, W>::Vector(
-        _mm512_maskz_roundscale_pd(detail::every_lane, __m512d(a.v), down))};
-  } else
-#endif
-  {
-    SCREE_UNROLL for (int i = 0; i < W; ++i) a.v[i] = floor(T(a.v[i]));
-    return a;
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {floor(a.low), floor(a.high)};
+  } else {
+    return {detail::Register<T, W>::floor(a.v)};
   }
 }
 
 /// Square root; the argument must not be negative.
 template <class T, int W>
 SCREE_FN Pack<T, W> sqrt(Pack<T, W> a) {
-#ifdef SCREE_AVX512
-  if constexpr (std::is_same_v<T, float> && W == 16) {
-    return {typename Pack<T, W>::Vector(_mm512_maskz_sqrt_ps(detail::every_lane, __m512(a.v)))};
-  } else if constexpr (std::is_same_v<T, double> && W == 8) {
-    return {typename Pack<T, W>::Vector(_mm512_maskz_sqrt_pd(detail::every_lane, __m512d(a.v)))};
-  } else
-#endif
-  {
-    SCREE_UNROLL for (int i = 0; i < W; ++i) a.v[i] = sqrt(T(a.v[i]));
-    return a;
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {sqrt(a.low), sqrt(a.high)};
+  } else {
+    return {detail::Register<T, W>::sqrt(a.v)};
   }
 }
 
 /// a b + c with one rounding.
 template <class T, int W>
 SCREE_FN Pack<T, W> fma(Pack<T, W> a, Pack<T, W> b, Pack<T, W> c) {
-#ifdef SCREE_AVX512
-  if constexpr (std::is_same_v<T, float> && W == 16) {
-    return {typename Pack<T, W>::Vector(_mm512_fmadd_ps(__m512(a.v), __m512(b.v), __m512(c.v)))};
-  } else if constexpr (std::is_same_v<T, double> && W == 8) {
-    return {typename Pack<T, W>::Vector(_mm512_fmadd_pd(__m512d(a.v), __m512d(b.v), __m512d(c.v)))};
-  } else
-#endif
-  {
-    SCREE_UNROLL for (int i = 0; i < W; ++i) a.v[i] = fma(T(a.v[i]), T(b.v[i]), T(c.v[i]));
-    return a;
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {fma(a.low, b.low, c.low), fma(a.high, b.high, c.high)};
+  } else {
+    return {detail::Register<T, W>::fma(a.v, b.v, c.v)};
   }
 }
 
@@ -343,17 +319,14 @@ SCREE_FN V rcp(V a) {
   return Scalar<V>(1) / a;
 }
 
-/// Conversion to integers, towards zero; the value must fit.
+/// Conversion to integers, towards zero; the value must fit into 32 bits.
 template <class T, int W>
 SCREE_FN IntOf<Pack<T, W>> to_int(Pack<T, W> a) {
-  using Int = IntOf<Pack<T, W>>;
-#if defined(__CUDACC__)
-  Int r{};
-  for (int i = 0; i < W; ++i) r.v[i] = detail::IntOfSize<T>(a.v[i]);
-  return r;
-#else
-  return {__builtin_convertvector(a.v, typename Int::Vector)};
-#endif
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {to_int(a.low), to_int(a.high)};
+  } else {
+    return {detail::Register<T, W>::to_int(a.v)};
+  }
 }
 
 // ---- bits ----
@@ -373,15 +346,19 @@ SCREE_FN double from_bits(std::int64_t a) { return __builtin_bit_cast(double, a)
 /// The bits of a real as an integer of the same size, and back.
 template <class T, int W>
 SCREE_FN BitsOf<Pack<T, W>> to_bits(Pack<T, W> a) {
-  return {typename BitsOf<Pack<T, W>>::Vector(a.v)};
+  if constexpr (!detail::in_one_register<T, W>) {
+    return {to_bits(a.low), to_bits(a.high)};
+  } else {
+    return {typename BitsOf<Pack<T, W>>::Vector(a.v)};
+  }
 }
-template <int W>
-SCREE_FN Pack<float, W> from_bits(Pack<std::int32_t, W> a) {
-  return {typename Pack<float, W>::Vector(a.v)};
-}
-template <int W>
-SCREE_FN Pack<double, W> from_bits(Pack<std::int64_t, W> a) {
-  return {typename Pack<double, W>::Vector(a.v)};
+template <class I, int W>
+SCREE_FN Pack<detail::RealOfSize<I>, W> from_bits(Pack<I, W> a) {
+  if constexpr (!detail::in_one_register<I, W>) {
+    return {from_bits(a.low), from_bits(a.high)};
+  } else {
+    return {typename Pack<detail::RealOfSize<I>, W>::Vector(a.v)};
+  }
 }
 
 }  // namespace scree

@@ -172,7 +172,7 @@ bool SchemaReader::read_entry(const Entry& entry, Scope& scope) {
   if (value) {
     given_.insert(path);
     entry.read(entry.member(scope.spec), *value, path, *this);
-  } else if (entry.required) {
+  } else if (entry.required && (entry.dimension == 0 || context_.dimension != 0)) {
     report_missing(entry, scope);
   }
   return problems_.size() == before;

@@ -291,8 +291,11 @@ bool SchemaReader::formulas(const Entry& entry, const Value& value, const std::s
 
 bool SchemaReader::points(const Entry& entry, const Value& value, const std::string& path,
                           std::vector<std::array<double, 2>>& result) {
-  if (!value.is(Value::Kind::array) || value.items.size() < 3) {
-    report(value, path, "must be an array of at least three points", "[[x, y], [x, y], [x, y]]");
+  const bool line = entry.length == 2;  // the ends of a line; else the corners of an outline
+  const std::size_t count = value.is(Value::Kind::array) ? value.items.size() : 0;
+  if (line ? count != 2 : count < 3) {
+    report(value, path, line ? "must be two points" : "must be an array of at least three points",
+           line ? "[[x, y], [x, y]]" : "[[x, y], [x, y], [x, y]]");
     return false;
   }
   bool good = true;

@@ -30,12 +30,41 @@ void Collider::set_step(double t, double dt) {
   }
 }
 
-void Collider::advance(double dt) { displacement_ = displacement_ + velocity_ * dt; }
-
-bool Collider::touches(const double x[3]) const {
-  const double at[3] = {x[0] - displacement_[0], x[1] - displacement_[1], x[2] - displacement_[2]};
-  return shape_->signed_distance(at) <= tolerance_;
+void Collider::advance(double dt) {
+  displacement_ = displacement_ + velocity_ * dt;
+  travelled_ += std::hypot(velocity_[0], velocity_[1], velocity_[2]) * dt;
 }
+
+double Collider::distance(const double x[3]) const {
+  const double at[3] = {x[0] - displacement_[0], x[1] - displacement_[1], x[2] - displacement_[2]};
+  return shape_->signed_distance(at);
+}
+
+/// Twice the tolerance: the sums of ways and displacements are rounded.
+bool Collider::surely_beyond(double reach, const ContactMemory& memory) const {
+  return memory.distance - (travelled_ - memory.travelled) > reach + 2 * tolerance_;
+}
+
+bool Collider::clear_of(const double x[3], double reach, ContactMemory& memory) const {
+  if (memory.travelled != travelled_ && !surely_beyond(reach, memory)) {
+    memory.distance = distance(x);
+    memory.travelled = travelled_;
+  }
+  return surely_beyond(reach, memory);
+}
+
+bool Collider::touches(const double x[3], ContactMemory& memory, Vec3<double>& normal) const {
+  if (memory.travelled != travelled_) {
+    if (surely_beyond(0, memory)) return false;
+    memory.distance = distance(x);
+    memory.travelled = travelled_;
+    if (memory.distance <= tolerance_) memory.normal = this->normal(x);
+  }
+  normal = memory.normal;
+  return memory.distance <= tolerance_;
+}
+
+bool Collider::touches(const double x[3]) const { return distance(x) <= tolerance_; }
 
 Vec3<double> Collider::normal(const double x[3]) const {
   const double at[3] = {x[0] - displacement_[0], x[1] - displacement_[1], x[2] - displacement_[2]};
@@ -64,7 +93,10 @@ void Collider::save(StateWriter& writer) const {
 
 void Collider::load(const StateReader& reader) {
   const std::vector<double> values = reader.get<double>("collider/" + name_);
+  const Vec3<double> before = displacement_;
   for (int a = 0; a < 3; ++a) displacement_[a] = values.at(static_cast<std::size_t>(a));
+  const Vec3<double> way = displacement_ - before;
+  travelled_ += std::hypot(way[0], way[1], way[2]);
 }
 
 }  // namespace scree

@@ -8,6 +8,7 @@
 
 #include "solver/base/tensor.hpp"
 #include "solver/boundary/collider_spec.hpp"
+#include "solver/boundary/contact_memory.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -39,6 +40,12 @@ class Collider {
   bool touches(const double x[3]) const;
   /// Unit vector out of the body.
   Vec3<double> normal(const double x[3]) const;
+  /// True if a node at x touches; then with the normal there. Remembers what it finds out.
+  bool touches(const double x[3], ContactMemory& memory, Vec3<double>& normal) const;
+  /// True if no point within `reach` (m) of x can touch. Remembers the distance of x.
+  bool clear_of(const double x[3], double reach, ContactMemory& memory) const;
+  /// True if the shape is slow to ask.
+  bool costly() const { return shape_->costly(); }
   const Vec3<double>& velocity() const { return velocity_; }          ///< m/s
   const Vec3<double>& displacement() const { return displacement_; }  ///< m, since t = 0
   /// A box that holds the body where it stands now, m; infinite in the axes of a half space.
@@ -51,6 +58,9 @@ class Collider {
   void load(const StateReader& reader);
 
  private:
+  double distance(const double x[3]) const;
+  bool surely_beyond(double distance, const ContactMemory& memory) const;
+
   std::string name_;
   ContactType contact_;
   double coefficient_;
@@ -59,6 +69,7 @@ class Collider {
   std::vector<Expression> speed_;  ///< dimension of them, or none at rest
   Vec3<double> velocity_{};
   Vec3<double> displacement_{};
+  double travelled_ = 0;  ///< length of the way since the start of the program, m
 };
 
 }  // namespace scree

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/deck/deck.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -8,6 +9,7 @@
 #include "solver/deck/deck_checks.hpp"
 #include "solver/deck/document.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/file_paths.hpp"
 #include "solver/deck/new_tables.hpp"
 #include "solver/deck/quiet_floats.hpp"
 
@@ -35,6 +37,23 @@ SchemaContext context_of(const Value& document) {
 void complete(Deck& deck) {
   if (std::isnan(deck.output.every)) deck.output.every = deck.time.end;
   if (std::isnan(deck.history.every)) deck.history.every = deck.output.every;
+  const auto set = [](double& value, double fallback) {
+    if (std::isnan(value)) value = fallback;
+  };
+  for (OutputSpec& frames : deck.frames) set(frames.every, deck.output.every);
+  for (ProbeSpec& probe : deck.probes) {
+    set(probe.every, deck.history.every);
+    set(probe.radius, deck.domain.cell_size);
+  }
+  for (ProfileSpec& profile : deck.profiles) {
+    set(profile.every, deck.history.every);
+    set(profile.radius, deck.domain.cell_size);
+  }
+  for (SectionSpec& section : deck.sections) {
+    set(section.every, deck.history.every);
+    set(section.spacing, deck.domain.cell_size);
+    set(section.thickness, section.spacing);
+  }
   deck.domain.cells = {1, 1, 1};
   for (int axis = 0; axis < deck.domain.dimension; ++axis) {
     deck.domain.cells[static_cast<std::size_t>(axis)] =
@@ -42,13 +61,14 @@ void complete(Deck& deck) {
   }
 }
 
-Deck interpret(std::optional<Value> document, const std::vector<std::string>& overrides,
-               Problems& problems) {
+Deck interpret(std::optional<Value> document, const std::string& path,
+               const std::vector<std::string>& overrides, Problems& problems) {
   Deck deck;
   if (!document) return deck;
   const QuietFloats quiet;
   const Value original = *document;
   for (const std::string& assignment : overrides) apply_override(*document, assignment, problems);
+  resolve_file_paths(*document, path);
   refuse_incomplete_tables(*document, original, deck_schema(), problems);
   SchemaReader reader(context_of(*document), problems);
   reader.read(deck_schema(), &deck, *document, "");
@@ -67,9 +87,20 @@ const MaterialSpec* Deck::find_material(const std::string& material) const {
   return nullptr;
 }
 
+bool Deck::wants_field(const std::string& field) const {
+  const auto has = [&](const std::vector<std::string>& fields) {
+    return std::find(fields.begin(), fields.end(), field) != fields.end();
+  };
+  const auto any = [&](const auto& specs) {
+    return std::any_of(specs.begin(), specs.end(), [&](const auto& s) { return has(s.fields); });
+  };
+  const bool framed = output.format != FrameFormat::none && has(output.fields);
+  return framed || any(frames) || any(probes) || any(profiles) || any(sections);
+}
+
 Deck read_deck(const std::string& path, const std::vector<std::string>& overrides,
                Problems& problems) {
-  Deck deck = interpret(read_document(path, problems), overrides, problems);
+  Deck deck = interpret(read_document(path, problems), path, overrides, problems);
   deck.path = path;
   deck.name = std::filesystem::path(path).stem().string();
   return deck;
@@ -77,7 +108,7 @@ Deck read_deck(const std::string& path, const std::vector<std::string>& override
 
 Deck read_deck_text(const std::string& text, const std::string& source,
                     const std::vector<std::string>& overrides, Problems& problems) {
-  Deck deck = interpret(parse_document(text, source, problems), overrides, problems);
+  Deck deck = interpret(parse_document(text, source, problems), source, overrides, problems);
   deck.path = source;
   deck.name = std::filesystem::path(source).stem().string();
   return deck;

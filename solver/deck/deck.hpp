@@ -14,6 +14,7 @@
 #include "solver/boundary/face_spec.hpp"
 #include "solver/boundary/traction_spec.hpp"
 #include "solver/io/output_spec.hpp"
+#include "solver/io/sample_spec.hpp"
 #include "solver/particles/body_spec.hpp"
 #include "solver/simulation/domain_spec.hpp"
 #include "solver/simulation/method_spec.hpp"
@@ -44,12 +45,18 @@ struct Deck {
   BoundarySpec boundary;
   std::vector<ColliderSpec> colliders;
   OutputSpec output;
+  std::vector<OutputSpec> frames;  ///< further series
   HistorySpec history;
+  std::vector<ProbeSpec> probes;
+  std::vector<ProfileSpec> profiles;
+  std::vector<SectionSpec> sections;
   CheckpointSpec checkpoint;
   std::set<std::string> given;  ///< dotted paths of the keys the user wrote
 
   /// The material of that name, or nullptr.
   const MaterialSpec* find_material(const std::string& name) const;
+  /// Whether frames or tables hold this particle field.
+  bool wants_field(const std::string& name) const;
 };
 
 /// Reads a deck and checks everything that can be known without running it. `overrides` are

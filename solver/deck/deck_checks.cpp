@@ -11,6 +11,7 @@
 #include "solver/deck/particle_faults.hpp"
 #include "solver/particles/sampling.hpp"
 #include "solver/particles/shape.hpp"
+#include "solver/simulation/particle_fields.hpp"
 
 namespace scree {
 namespace {
@@ -40,6 +41,8 @@ class Checker {
     check_gravity();
     check_collider_velocities();
     check_fields();
+    check_series();
+    check_samples();
     for (const BodySpec& body : deck_.bodies) {
       check_place(body);
     }
@@ -57,11 +60,16 @@ class Checker {
     return *value;
   }
 
+  static std::string key_text(const std::vector<std::string>& path) {
+    std::string key;
+    for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
+    return key;
+  }
+
   void report(const std::vector<std::string>& path, const std::string& message,
               const std::string& allowed = {}, const std::string& repair = {}) {
     const Value& value = at(path);
-    std::string key;
-    for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
+    const std::string key = key_text(path);
     const bool shown = !value.items.empty() || !value.is(Value::Kind::table);
     std::string text = shown && &value != &document_ ? to_toml(value) : std::string();
     if (text.size() > 70) text = text.substr(0, 67) + "...";
@@ -84,6 +92,10 @@ class Checker {
     check_names("body", names_of(deck_.bodies));
     check_names("traction", names_of(deck_.tractions));
     check_names("collider", names_of(deck_.colliders));
+    check_names("frames", names_of(deck_.frames));
+    check_names("probe", names_of(deck_.probes));
+    check_names("profile", names_of(deck_.profiles));
+    check_names("section", names_of(deck_.sections));
   }
 
   /// Names become column names and labels.
@@ -155,12 +167,16 @@ class Checker {
   }
 
   std::vector<std::string> field_names() const {
-    std::vector<std::string> names{"velocity",     "stress", "pressure", "mass", "volume",
-                                   "displacement", "id",     "material", "body"};
+    std::vector<std::string> names{"id", "material", "body"};
+    bool water = false;
     for (const MaterialSpec& material : deck_.materials) {
-      if (material.undrained_bulk_modulus && !contains(names, "pore_pressure")) {
-        names.insert(names.end(), {"pore_pressure", "effective_stress"});
-      }
+      water = water || material.undrained_bulk_modulus;
+    }
+    for (const ParticleField& field : particle_fields()) {
+      if (!field.pore_water || water) names.push_back(field.name);
+    }
+    if (water) names.emplace_back("pore_pressure");
+    for (const MaterialSpec& material : deck_.materials) {
       const MaterialEntry* model = find_material_model(material.model);
       if (model == nullptr) continue;
       for (const StateField& field : model->fields) {
@@ -174,26 +190,95 @@ class Checker {
     for (const MaterialSpec& material : deck_.materials) {
       if (find_material_model(material.model) == nullptr) return;
     }
-    if (faulty("output.fields") || deck_.materials.empty()) return;
+    if (deck_.materials.empty()) return;
     const auto known = field_names();
-    const auto& fields = deck_.output.fields;
+    check_fields({"output"}, deck_.output.fields, known);
+    check_all_fields("frames", deck_.frames, known);
+    check_all_fields("probe", deck_.probes, known);
+    check_all_fields("profile", deck_.profiles, known);
+    check_all_fields("section", deck_.sections, known);
+  }
+
+  template <class Specs>
+  void check_all_fields(const std::string& table, const Specs& specs,
+                        const std::vector<std::string>& known) {
+    for (const auto& spec : specs) check_fields({table, spec.name}, spec.fields, known);
+  }
+
+  void check_fields(std::vector<std::string> path, const std::vector<std::string>& fields,
+                    const std::vector<std::string>& known) {
+    path.emplace_back("fields");
+    if (faulty(key_text(path))) return;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const bool again = std::find(fields.begin(), fields.begin() + static_cast<long>(i),
                                    fields[i]) != fields.begin() + static_cast<long>(i);
       const std::string near = did_you_mean(fields[i], known);
       if (contains(known, fields[i]) && !again) continue;
-      report_field(i, again ? "is named twice" : "is no field of the materials in use",
-                   again ? "" : join(known),
-                   near.empty() || again ? "remove it" : "did you mean \"" + near + "\"?");
+      report_item(path, i, again ? "is named twice" : "is no field of the materials in use",
+                  again ? "" : join(known),
+                  near.empty() || again ? "remove it" : "did you mean \"" + near + "\"?");
     }
   }
 
-  void report_field(std::size_t index, const std::string& message, const std::string& allowed,
-                    const std::string& repair) {
-    const Value& list = at({"output", "fields"});
+  void report_item(const std::vector<std::string>& path, std::size_t index,
+                   const std::string& message, const std::string& allowed,
+                   const std::string& repair) {
+    const Value& list = at(path);
     const Value& item = index < list.items.size() ? list.items[index] : list;
-    problems_.add({item.position, "output.fields[" + std::to_string(index) + "]", to_toml(item),
+    problems_.add({item.position, key_text(path) + "[" + std::to_string(index) + "]", to_toml(item),
                    message, allowed, repair});
+  }
+
+  void check_series() {
+    std::vector<std::string> files{"particles", "grid"};
+    for (const OutputSpec& frames : deck_.frames) {
+      for (const std::string& name : {frames.name, frames.grid_name()}) {
+        if (!contains(files, name)) continue;
+        report({"frames", frames.name}, "there are other files called " + name, "",
+               "choose another name");
+        break;
+      }
+      files.insert(files.end(), {frames.name, frames.grid_name()});
+    }
+    check_window({"output"}, deck_.output);
+    for (const OutputSpec& frames : deck_.frames) check_window({"frames", frames.name}, frames);
+  }
+
+  void check_window(std::vector<std::string> path, const OutputSpec& spec) {
+    path.emplace_back("from");
+    if (faulty("time.end") || faulty(key_text(path)) || spec.from <= deck_.time.end) return;
+    report(path, "is after time.end, so there would be no frame",
+           "at most " + toml_number(deck_.time.end) + " s");
+  }
+
+  void check_samples() {
+    if (faulty("domain")) return;
+    for (const ProbeSpec& probe : deck_.probes) {
+      if (std::isnan(probe.at[0]) || faulty(key_text({"probe", probe.name, "at"}))) continue;
+      check_inside({"probe", probe.name, "at"}, probe.at);
+    }
+    if (deck_.domain.dimension != 3) return;
+    for (const SectionSpec& section : deck_.sections) {
+      const std::vector<std::string> path{"section", section.name, "position"};
+      if (faulty(key_text({"section", section.name}))) continue;
+      const auto axis = static_cast<std::size_t>(section.normal);
+      const double lower = deck_.domain.lower[axis], upper = deck_.domain.upper[axis];
+      if (section.position >= lower && section.position <= upper) continue;
+      report(path, "lies outside of the domain",
+             toml_number(lower) + " to " + toml_number(upper) + " m");
+    }
+  }
+
+  void check_inside(const std::vector<std::string>& path, const std::array<double, 3>& x) {
+    const int dimension = deck_.domain.dimension;
+    bool inside = true;
+    for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
+      inside = inside && x[a] >= deck_.domain.lower[a] && x[a] <= deck_.domain.upper[a];
+    }
+    if (inside) return;
+    report(path, "lies outside of the domain",
+           point_text(deck_.domain.lower, dimension) + " to " +
+               point_text(deck_.domain.upper, dimension) + " m");
   }
 
   /// Positions: of all particles, or corners of a large body.

@@ -149,9 +149,21 @@ DeckSchema make_deck_schema() {
       .fallback_text("none")
       .doc("Rigid obstacles and tools.");
   s.table("output", &Deck::output, &output_schema).fallback_text("all defaults").doc("Frames.");
+  s.named("frames", &Deck::frames, &frames_schema)
+      .fallback_text("none")
+      .doc("Further series of frames.");
   s.table("history", &Deck::history, &history_schema)
       .fallback_text("all defaults")
       .doc("Table of sums.");
+  s.named("probe", &Deck::probes, &probe_schema)
+      .fallback_text("none")
+      .doc("Tables of places and particles over time.");
+  s.named("profile", &Deck::profiles, &profile_schema)
+      .fallback_text("none")
+      .doc("Tables of means along lines over time.");
+  s.named("section", &Deck::sections, &section_schema)
+      .fallback_text("none")
+      .doc("Tables of means in planes over time.");
   s.table("checkpoint", &Deck::checkpoint, &checkpoint_schema)
       .fallback_text("all defaults")
       .doc("States to resume from.");

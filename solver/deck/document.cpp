@@ -13,6 +13,7 @@
 #include "solver/deck/nesting.hpp"
 #include "solver/deck/quiet_floats.hpp"
 #include "solver/deck/syntax_error.hpp"
+#include "solver/deck/text_encoding.hpp"
 
 namespace scree {
 namespace {
@@ -165,6 +166,10 @@ Problem source_problem(const std::shared_ptr<const std::string>& source, std::st
 std::optional<Value> parse_document(const std::string& text, const std::string& source,
                                     Problems& problems) {
   const auto name = std::make_shared<const std::string>(source);
+  if (auto problem = encoding_problem(text, name)) {
+    problems.add(std::move(*problem));
+    return std::nullopt;
+  }
   if (auto problem = nesting_problem(text, name)) {
     problems.add(std::move(*problem));
     return std::nullopt;

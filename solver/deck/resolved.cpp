@@ -93,7 +93,17 @@ class Writer {
   std::string value_text(const Entry& entry, const void* spec) {
     const void* member = entry.member(const_cast<void*>(spec));
     if (entry.kind == EntryKind::list) return list_text(entry, member);
+    if (entry.kind == EntryKind::table) return table_text(entry, member);
     return entry.write(member, dimension_);
+  }
+
+  /// A table in a table of a list; "" if it is not set.
+  std::string table_text(const Entry& entry, const void* member) {
+    std::string text;
+    entry.visit(member, [&](const std::string&, const SchemaBase& schema, const void* item) {
+      text = inline_table(schema, item);
+    });
+    return text;
   }
 
   std::string list_text(const Entry& entry, const void* member) {

@@ -13,6 +13,7 @@ ContactList<D, T>::ContactList(Device& device, std::array<double, 3> lower, doub
       position_(device, "contacts"),
       normal_(device, "contacts"),
       impulse_(device, "contacts"),
+      settled_(device, "contacts"),
       sum_begin_(device, "contacts"),
       sum_list_(device, "contacts"),
       surfaces_(device, "contacts") {}
@@ -96,6 +97,7 @@ void ContactList<D, T>::upload(const std::vector<std::vector<Contact>>& found,
   position_.upload(position);
   normal_.upload(normal);
   impulse_.resize(normal.size());
+  settled_.resize(3 * record.size());
   sum_begin_.upload(sum_begin);
   sum_list_.upload(sum_list);
 }
@@ -133,6 +135,7 @@ ContactNodes ContactList<D, T>::nodes() const {
   nodes.collider = collider_.data();
   nodes.normal = normal_.data();
   nodes.impulse = impulse_.data();
+  nodes.settled = settled_.data();
   return nodes;
 }
 
@@ -145,8 +148,8 @@ ContactSums ContactList<D, T>::sums() const {
 template <int D, class T>
 std::int64_t ContactList<D, T>::bytes() const {
   return std::int64_t(record_.bytes() + begin_.bytes() + collider_.bytes() + position_.bytes() +
-                      normal_.bytes() + impulse_.bytes() + sum_begin_.bytes() + sum_list_.bytes() +
-                      surfaces_.bytes());
+                      normal_.bytes() + impulse_.bytes() + settled_.bytes() + sum_begin_.bytes() +
+                      sum_list_.bytes() + surfaces_.bytes());
 }
 
 template class ContactList<2, float>;

@@ -52,6 +52,7 @@ class ContactList {
   DeviceArray<double> position_;
   DeviceArray<double> normal_;
   DeviceArray<double> impulse_;
+  DeviceArray<double> settled_;
   DeviceArray<std::int32_t> sum_begin_;
   DeviceArray<std::int32_t> sum_list_;
   DeviceArray<ContactSurface> surfaces_;

@@ -112,12 +112,14 @@ void DeviceGrid<D, T>::update(const GridForces& forces, const std::vector<Collid
   kernels_.add_forces(pass, grid_.lattices(), block_mass_.data(), mass);
   fold(pass.p, pass.q);
   kernels_.divide(pass);
+  ContactNodes nodes;
   if (!colliders.empty()) {
     contacts_.update(grid_, colliders, pool);
-    const ContactNodes nodes = contacts_.nodes();
-    kernels_.touch(nodes, contacts_.surfaces(), pass.p);
+    nodes = contacts_.nodes();
+    kernels_.touch(nodes, contacts_.surfaces(), pass);
     kernels_.react(contacts_.sums(), contacts_.surfaces(), nodes.impulse, reactions);
   }
+  if (pass.local > T(0)) kernels_.damp(pass, nodes);
   if (pass.q != nullptr) kernels_.subtract(pass);
   unfold(pass.p, pass.q);
 }

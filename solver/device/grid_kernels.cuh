@@ -12,6 +12,9 @@ namespace scree {
 inline namespace SCREE_SIDE {
 namespace kernels {
 
+/// Contacts of one node that local damping takes account of.
+inline constexpr int max_contacts = 16;
+
 /// Shared memory for block_sum.
 struct SumRoom {
   double value[block_threads];
@@ -106,8 +109,42 @@ __global__ void divide(const __grid_constant__ NodePass<T> pass) {
   if (i >= std::int64_t(pass.blocks) * pass.block_nodes) return;
   T* node = pass.p + i * node_values;
   const T mass = node[mass_slot];
-  if (pass.q != nullptr) damp_node<D>(node, pass.q + i * node_values, mass, pass.local);
-  for (int a = 0; a < D; ++a) node[a] = mass > T(0) ? node[a] / mass * pass.keep : T(0);
+  for (int a = 0; a < D; ++a) {
+    node[a] = mass > T(0) ? node[a] / mass * pass.keep : T(0);
+    if (pass.q == nullptr) continue;
+    T& before = pass.q[i * node_values + a];
+    before = mass > T(0) ? before / mass : T(0);
+  }
+}
+
+/// Cundall's damping of one component: a fraction of the unbalanced force opposes the velocity
+/// before it; a component that a wall holds at rest is in balance.
+template <class T>
+SCREE_FN double damping_change(T v, T before, T fraction) {
+  if (v == T(0)) return 0;
+  const T change = v - before;
+  const double size = double(fraction * (change < T(0) ? -change : change));
+  return before > T(0) ? -size : before < T(0) ? size : 0.0;
+}
+
+/// A thread a node.
+template <int D, class T>
+__global__ void damp(const __grid_constant__ NodePass<T> pass) {
+  const std::int64_t i = element();
+  if (i >= std::int64_t(pass.blocks) * pass.block_nodes) return;
+  T* node = pass.p + i * node_values;
+  if (!(node[mass_slot] > T(0))) return;
+  for (int a = 0; a < D; ++a) {
+    node[a] += T(damping_change(node[a], pass.q[i * node_values + a], pass.local));
+  }
+}
+
+/// A thread a node in contact: gives it the velocity that touch() has settled.
+template <int D, class T>
+__global__ void settle(const __grid_constant__ ContactNodes nodes, T* p) {
+  const std::int64_t n = element();
+  if (n >= nodes.nodes) return;
+  for (int a = 0; a < D; ++a) p[nodes.record[n] * node_values + a] = T(nodes.settled[3 * n + a]);
 }
 
 template <int D, class T>
@@ -120,33 +157,62 @@ __global__ void subtract(const __grid_constant__ NodePass<T> pass) {
   }
 }
 
-/// A thread a node: its contacts one after the other.
+/// Contact k of a node: its velocity after it, and the impulse on the collider. True if the
+/// collider holds something of the velocity.
+template <int D, class T>
+SCREE_FN bool touch_once(const ContactNodes& nodes, const ContactSurface& surface, int k,
+                         double mass, T* node) {
+  Vec3<double> old{};
+  Vec3<double> velocity{};
+  Vec3<double> normal{};
+  for (int a = 0; a < D; ++a) {
+    old[a] = double(node[a]);
+    velocity[a] = surface.velocity[a];
+    normal[a] = nodes.normal[3 * k + a];
+  }
+  const Vec3<double> now =
+      contact_velocity<double, D>(surface.type, surface.coefficient, old, velocity, normal);
+  bool holds = false;
+  for (int a = 0; a < D; ++a) {
+    nodes.impulse[3 * k + a] = mass * (old[a] - now[a]);
+    holds = holds || old[a] != now[a];
+    node[a] = T(now[a]);
+  }
+  return holds;
+}
+
+/// A thread a node: its contacts one after the other, then local damping of what they do not hold.
 template <int D, class T>
 __global__ void touch(const __grid_constant__ ContactNodes nodes, const ContactSurface* surfaces,
-                      T* p) {
+                      const __grid_constant__ NodePass<T> pass) {
   const std::int64_t n = element();
   if (n >= nodes.nodes) return;
-  T* node = p + nodes.record[n] * node_values;
-  const double mass = double(node[mass_slot]);
+  T* node = pass.p + nodes.record[n] * node_values;
+  // A reaction stops what mass damping has left of the momentum, and 1/keep of it.
+  const double mass = double(node[mass_slot]) / double(pass.keep);
   for (int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k) {
-    const ContactSurface& surface = surfaces[nodes.collider[k]];
-    Vec3<double> old{};
-    Vec3<double> velocity{};
-    Vec3<double> normal{};
-    for (int a = 0; a < D; ++a) {
-      old[a] = double(node[a]);
-      velocity[a] = surface.velocity[a];
-      normal[a] = nodes.normal[3 * k + a];
-    }
-    const Vec3<double> now =
-        contact_velocity<double, D>(surface.type, surface.coefficient, old, velocity, normal);
     for (int a = 0; a < 3; ++a) nodes.impulse[3 * k + a] = 0;
-    if (!(mass > 0)) continue;
-    for (int a = 0; a < D; ++a) {
-      nodes.impulse[3 * k + a] = mass * (old[a] - now[a]);
-      node[a] = T(now[a]);
-    }
   }
+  for (int a = 0; a < D; ++a) nodes.settled[3 * n + a] = double(node[a]);
+  if (!(mass > 0)) return;
+  bool held[max_contacts] = {};
+  for (int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k) {
+    const bool holds = touch_once<D>(nodes, surfaces[nodes.collider[k]], k, mass, node);
+    if (k - nodes.begin[n] < max_contacts) held[k - nodes.begin[n]] = holds;
+  }
+  double change[3] = {0, 0, 0};
+  if (pass.local > T(0)) {
+    const T* before = pass.q + nodes.record[n] * node_values;
+    for (int a = 0; a < D; ++a) change[a] = damping_change(node[a], before[a], pass.local);
+  }
+  for (int k = nodes.begin[n]; k < nodes.begin[n + 1]; ++k) {
+    if (k - nodes.begin[n] >= max_contacts || !held[k - nodes.begin[n]]) continue;
+    const bool all = surfaces[nodes.collider[k]].type == ContactType::sticky;
+    double along = 0;
+    for (int a = 0; a < D; ++a) along += change[a] * nodes.normal[3 * k + a];
+    for (int a = 0; a < D; ++a) change[a] = all ? 0 : change[a] - along * nodes.normal[3 * k + a];
+  }
+  for (int a = 0; a < D; ++a) nodes.settled[3 * n + a] = double(node[a] + T(change[a]));
 }
 
 /// A thread block a collider.

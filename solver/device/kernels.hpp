@@ -59,6 +59,7 @@ struct ContactNodes {
   const std::int32_t* collider = nullptr;  ///< per contact
   const double* normal = nullptr;          ///< 3 per contact
   double* impulse = nullptr;               ///< 3 per contact, out: on the collider [kg m/s]
+  double* settled = nullptr;  ///< 3 per node, out: its velocity after local damping [m/s]
 };
 
 /// A collider in a step.
@@ -106,7 +107,9 @@ class DeviceKernels {
   virtual void divide(const NodePass<T>&) = 0;
   /// q <- p - q.
   virtual void subtract(const NodePass<T>&) = 0;
-  virtual void touch(const ContactNodes&, const ContactSurface*, T* p) = 0;
+  virtual void touch(const ContactNodes&, const ContactSurface*, const NodePass<T>&) = 0;
+  /// Local damping of all nodes; those in contact get what touch() has settled.
+  virtual void damp(const NodePass<T>&, const ContactNodes&) = 0;
   /// reactions: force and torque x step length x lattices, 6 a collider.
   virtual void react(const ContactSums&, const ContactSurface*, const double* impulse,
                      double* reactions) = 0;

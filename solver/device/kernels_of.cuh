@@ -59,9 +59,14 @@ class KernelsOf final : public DeviceKernels<D, T> {
   void subtract(const NodePass<T>& pass) override {
     launch("subtract", kernels::subtract<D, T>, blocks_for_nodes(pass), block_threads, pass);
   }
-  void touch(const ContactNodes& nodes, const ContactSurface* surfaces, T* p) override {
+  void touch(const ContactNodes& nodes, const ContactSurface* surfaces,
+             const NodePass<T>& pass) override {
     launch("touch", kernels::touch<D, T>, blocks_for(nodes.nodes), block_threads, nodes, surfaces,
-           p);
+           pass);
+  }
+  void damp(const NodePass<T>& pass, const ContactNodes& nodes) override {
+    launch("damp", kernels::damp<D, T>, blocks_for_nodes(pass), block_threads, pass);
+    launch("settle", kernels::settle<D, T>, blocks_for(nodes.nodes), block_threads, nodes, pass.p);
   }
   void react(const ContactSums& sums, const ContactSurface* surfaces, const double* impulse,
              double* reactions) override {

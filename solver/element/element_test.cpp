@@ -8,6 +8,7 @@
 #include "materials/registry.hpp"
 #include "materials/undrained_point.hpp"
 #include "solver/base/error.hpp"
+#include "solver/base/stress_invariants.hpp"
 #include "solver/element/held_step.hpp"
 
 namespace scree {
@@ -191,7 +192,8 @@ class Drive {
 
 }  // namespace
 
-double ElementRow::deviatoric() const { return std::sqrt(1.5) * norm(deviator(cauchy)); }
+double ElementRow::pressure() const { return mean_pressure(cauchy); }
+double ElementRow::deviatoric() const { return deviatoric_stress(cauchy); }
 
 ElementResult drive_element(const ElementDeck& deck) { return Drive(deck).run(); }
 

@@ -25,8 +25,8 @@ struct ElementRow {
   std::optional<double> pore_pressure;
   std::optional<double> yield_value;
 
-  double pressure() const { return -trace(cauchy) / 3; }  ///< p [Pa]
-  double deviatoric() const;                              ///< q = sqrt(3/2) |s| [Pa]
+  double pressure() const;    ///< p [Pa]
+  double deviatoric() const;  ///< q = sqrt(3/2) |s| [Pa]
 };
 
 /// What a drive gave: the confined state as row 0, then a row a step.

@@ -97,24 +97,7 @@ void add_stresses(Schema<PathSpec>& s) {
           "The confined point is first brought to it by a strain along axis 2 alone.");
 }
 
-Schema<PathSpec> make_path_schema() {
-  Schema<PathSpec> s("path",
-                     "How `scree element` drives a material point: a laboratory test. Axis 1 is "
-                     "the axial direction. The state of stress is three-dimensional.");
-  s.choice("type", &PathSpec::type, names())
-      .doc(
-          "isotropic: equal strains; oedometer: axial strain without lateral strain; "
-          "triaxial_drained: axial strain at constant lateral stress; triaxial_undrained: axial "
-          "strain at constant volume (or, where the material has undrained_bulk_modulus, with "
-          "water in the pores, at constant total lateral stress); simple_shear: at constant "
-          "volume or constant normal_stress; gradient: to any deformation gradient. With "
-          "undrained_bulk_modulus, water cannot leave the pores on any of these paths, and a held "
-          "stress is the total one; triaxial_drained refuses it.");
-  add_strains(s);
-  s.matrix("gradient", &PathSpec::gradient)
-      .when("type", {"gradient"})
-      .doc("Final deformation gradient F, from the confined state; reached in equal increments.");
-  add_stresses(s);
+void add_progress(Schema<PathSpec>& s) {
   s.integer("steps", &PathSpec::steps)
       .at_least(1)
       .at_most(10000000)
@@ -134,6 +117,27 @@ Schema<PathSpec> make_path_schema() {
       .doc(
           "Void ratio e0 of the undeformed material, for laws that do not know their own: the "
           "column void_ratio is then (1 + e0) J - 1.");
+}
+
+Schema<PathSpec> make_path_schema() {
+  Schema<PathSpec> s("path",
+                     "How `scree element` drives a material point: a laboratory test. Axis 1 is "
+                     "the axial direction. The state of stress is three-dimensional.");
+  s.choice("type", &PathSpec::type, names())
+      .doc(
+          "isotropic: equal strains; oedometer: axial strain without lateral strain; "
+          "triaxial_drained: axial strain at constant lateral stress; triaxial_undrained: axial "
+          "strain at constant volume (or, where the material has undrained_bulk_modulus, with "
+          "water in the pores, at constant total lateral stress); simple_shear: at constant "
+          "volume or constant normal_stress; gradient: to any deformation gradient. With "
+          "undrained_bulk_modulus, water cannot leave the pores on any of these paths, and a held "
+          "stress is the total one; triaxial_drained refuses it.");
+  add_strains(s);
+  s.matrix("gradient", &PathSpec::gradient)
+      .when("type", {"gradient"})
+      .doc("Final deformation gradient F, from the confined state; reached in equal increments.");
+  add_stresses(s);
+  add_progress(s);
   s.check({"type", "unload", "cycles"},
           [](const PathSpec& path, const SchemaContext&) -> std::optional<Finding> {
             if (path.cycles == 1 || path.unload) return std::nullopt;

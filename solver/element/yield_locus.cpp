@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/base/eigen.hpp"
+#include "solver/base/stress_invariants.hpp"
 #include "solver/element/held_step.hpp"
 
 namespace scree {
@@ -15,10 +16,8 @@ constexpr double touching = 1e-7;
 /// Rates of strain vanish: points of laws that know time are probed at rest.
 constexpr double long_time = 1e9;
 
-double pressure(const MaterialPoint& point) { return -trace(cauchy_stress(point)) / 3; }
-double deviatoric(const MaterialPoint& point) {
-  return std::sqrt(1.5) * norm(deviator(cauchy_stress(point)));
-}
+double pressure(const MaterialPoint& point) { return mean_pressure(cauchy_stress(point)); }
+double deviatoric(const MaterialPoint& point) { return deviatoric_stress(cauchy_stress(point)); }
 
 /// Moves a point about in the elastic domain of one state.
 class Probe {

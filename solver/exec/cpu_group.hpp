@@ -7,6 +7,7 @@
 #include "solver/base/pack.hpp"
 #include "solver/exec/lane_transfer.hpp"
 #include "solver/exec/lattice_sums.hpp"
+#include "solver/exec/line_transfer.hpp"
 #include "solver/exec/row_arena.hpp"
 #include "solver/exec/row_transfer.hpp"
 #include "solver/step/pass_data.hpp"
@@ -28,8 +29,8 @@ struct CpuBatch {
 /// Bodies see only these primitives (architecture page); the CUDA group offers the same ones with
 /// one particle a thread. Grid values are gathered and scattered as quads {vector, mass}: all
 /// quantities of a node side by side, one particle at a time; everything else is lanes =
-/// particles, with register transposes between. Kernels with two nodes an axis keep their quads in
-/// rows (RowArena), and affine transfers on the dual grid use whole rows (RowTransfer).
+/// particles, with register transposes between. Quads are kept in rows of neighbouring nodes
+/// (RowArena), and affine transfers use whole rows (RowTransfer, LineTransfer).
 template <int D, class T, class Kernel>
 class CpuGroup {
  public:
@@ -41,10 +42,8 @@ class CpuGroup {
   static constexpr int dimension = D;
   static constexpr int width = lanes_of<V>;
   static constexpr int channels = 2;
-  static constexpr bool in_rows = Kernel::support == 2;
-  /// Numbers of arena memory for each node.
-  static constexpr int stride = in_rows ? RowArena<Kernel, D, T>::row_values : node_values;
-  static constexpr int channel_values = Shape::nodes * stride;
+  using Arena = RowArena<Kernel, D, T>;
+  static constexpr int channel_values = Arena::values;
   /// Numbers of arena memory a thread needs.
   static constexpr int arena_values = 2 * channels * channel_values;
 
@@ -65,33 +64,29 @@ class CpuGroup {
 
   /// Copies the grid's nodes around the block into the arena.
   void stage_in(int channel) {
-    if constexpr (in_rows) {
+    if constexpr (Arena::stride == node_values) {
+      copy_nodes(data_.read[channel], read_arena(channel));
+    } else {
       alignas(64) T nodes[Shape::values];
       copy_nodes(data_.read[channel], nodes);
-      Rows::fill(nodes, read_arena(channel));
-    } else {
-      copy_nodes(data_.read[channel], read_arena(channel));
+      Arena::fill(nodes, read_arena(channel));
     }
   }
 
   void clear(int channel) {
     sums_ = true;
-    if constexpr (in_rows) {
-      Rows::clear(sum_arena(channel));
-    } else {
-      std::memset(sum_arena(channel), 0, channel_values * sizeof(T));
-    }
+    Arena::clear(sum_arena(channel));
   }
   void sync() {}
 
   /// Adds the arena's sums to the grid; blocks of one colour touch disjoint nodes.
   void stage_out(int channel) {
-    if constexpr (in_rows) {
-      alignas(64) T nodes[Shape::values];
-      Rows::sum(sum_arena(channel), nodes);
-      add_nodes(nodes, data_.write[channel]);
-    } else {
+    if constexpr (Arena::stride == node_values) {
       add_nodes(sum_arena(channel), data_.write[channel]);
+    } else {
+      alignas(64) T nodes[Shape::values];
+      Arena::sum(sum_arena(channel), nodes);
+      add_nodes(nodes, data_.write[channel]);
     }
   }
 
@@ -149,7 +144,9 @@ class CpuGroup {
   void gather_affine(int channel, const Stencil<V, D, L, S>& p, V (&velocity)[D],
                      V (&affine)[D][D]) const {
     if constexpr (L == 2 && S == 2) {
-      RowTransfer<D, T>::gather(read_arena(channel), plane, p, velocity, affine);
+      Cells::gather(read_arena(channel), p, velocity, affine);
+    } else if constexpr (L == 1 && S == 3) {
+      Lines::gather(read_arena(channel), p, velocity, affine);
     } else {
       LatticeSums::gather_affine(*this, channel, p, velocity, affine);
     }
@@ -161,7 +158,9 @@ class CpuGroup {
                       const V (&affine)[D][D], const V& mask) {
     prefetch_share();
     if constexpr (L == 2 && S == 2) {
-      RowTransfer<D, T>::scatter(sum_arena(channel), plane, p, q, mass, affine, mask);
+      Cells::scatter(sum_arena(channel), p, q, mass, affine, mask);
+    } else if constexpr (L == 1 && S == 3) {
+      Lines::scatter(sum_arena(channel), p, q, mass, affine, mask);
     } else {
       LatticeSums::scatter_affine(*this, channel, p, q, mass, affine, mask);
     }
@@ -210,10 +209,13 @@ class CpuGroup {
   }
 
  protected:
-  using Rows = RowArena<Kernel, D, T>;
-  /// Values from one node to the next on the first axis (3D).
-  static constexpr int plane = Shape::extent * Shape::extent * stride;
-  using LaneSums = LaneTransfer<D, T, stride, plane / node_values, in_rows ? 2 : Shape::extent>;
+  /// Numbers from a node's row to the next one's on the last axis but one, and on the first (3D).
+  static constexpr int line = Shape::extent * Arena::stride;
+  static constexpr int plane = Shape::extent * line;
+  using LaneSums = LaneTransfer<D, T, Arena::stride, plane / node_values,
+                                Arena::line_step / node_values, Arena::node_step / node_values>;
+  using Cells = RowTransfer<D, T, Arena::stride, plane, Arena::line_step>;
+  using Lines = LineTransfer<D, T, Arena::stride, plane, line>;
   typedef T Quad __attribute__((vector_size(4 * sizeof(T)), may_alias));
 
   T* read_arena(int channel) const { return arena_ + channel * channel_values; }

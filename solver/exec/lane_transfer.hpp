@@ -10,9 +10,9 @@ namespace scree {
 /// Transfers between a batch of particles and one lattice of the arena, for any stencil: one
 /// particle at a time, all quantities of a node {vector, mass} in one register.
 ///
-/// stride: values of arena for one node; plane_step, line_step: quads from one node to the next on
-/// the first axis (3D) and on the last axis but one; neighbours on the last axis lie side by side.
-template <int D, class T, int stride, int plane_step, int line_step>
+/// stride: numbers of arena for one node; plane_step, line_step, node_step: quads from one node to
+/// the next on the first axis (3D), on the last axis but one and on the last axis.
+template <int D, class T, int stride, int plane_step, int line_step, int node_step>
 class LaneTransfer {
  public:
   using V = Lanes<T>;
@@ -153,8 +153,8 @@ class LaneTransfer {
   static void gather_row(const Quad* nodes, const T (&w)[S], const T (&alt)[S], Quad& sum,
                          Quad& other) {
     for (int k = 0; k < S; ++k) {
-      sum += w[k] * nodes[k];
-      other += alt[k] * nodes[k];
+      sum += w[k] * nodes[k * node_step];
+      other += alt[k] * nodes[k * node_step];
     }
   }
 
@@ -166,14 +166,14 @@ class LaneTransfer {
       const Quad b = w[0][i] * q[2];
       if constexpr (D == 2) {
         Quad* row = nodes + i * line_step;
-        for (int j = 0; j < S; ++j) row[j] += w[1][j] * a + alt[1][j] * b;
+        for (int j = 0; j < S; ++j) row[j * node_step] += w[1][j] * a + alt[1][j] * b;
       } else {
         const Quad c = w[0][i] * q[3];
         for (int j = 0; j < S; ++j) {
           Quad* row = nodes + i * plane_step + j * line_step;
           const Quad ab = w[1][j] * a + alt[1][j] * b;
           const Quad cj = w[1][j] * c;
-          for (int k = 0; k < S; ++k) row[k] += w[2][k] * ab + alt[2][k] * cj;
+          for (int k = 0; k < S; ++k) row[k * node_step] += w[2][k] * ab + alt[2][k] * cj;
         }
       }
     }

@@ -1,51 +1,85 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstring>
+#include <algorithm>
 
-#include "solver/base/config.hpp"
-
-#if defined(__AVX512F__) && !defined(__CUDACC__)
-#include <immintrin.h>
-#endif
+#include "solver/base/register.hpp"
 
 namespace scree {
 
-/// 16 numbers in registers: four quads {vector, mass}, one for each of 2 x 2 neighbouring nodes
-/// (the last axis fastest), or one record of a particle.
-template <class T>
+/// Four quads {vector, mass} in registers: one for each of 2 x 2 neighbouring nodes (the last axis
+/// fastest), or one record of a particle. `used`: quads that matter; parts of others are left out.
+template <class T, int used = 4>
 struct NodeRow {
-  static constexpr int values = 16;
-  static constexpr int lanes = 64 / sizeof(T);  ///< numbers in one vector
-  static constexpr int parts = values / lanes;  ///< vectors
-  typedef T Native __attribute__((vector_size(64), may_alias));
+  /// A part is a register, but at least a quad: quads then move as parts, without instructions.
+  static constexpr int part_bytes = std::max(detail::register_bytes, 4 * int(sizeof(T)));
+  static constexpr int lanes = part_bytes / int(sizeof(T));  ///< numbers in one part
+  static constexpr int part_quads = lanes / 4;
+  static constexpr int parts = (used + part_quads - 1) / part_quads;
+  static constexpr int values = parts * lanes;
+  typedef T Native __attribute__((vector_size(part_bytes), may_alias));
   Native part[parts];
 
   static SCREE_FN NodeRow load(const T* p) {
     NodeRow r;
-    SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = reinterpret_cast<const Native*>(p)[i];
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = at(p + i * lanes);
     return r;
   }
   SCREE_FN void store(T* p) const {
-    SCREE_UNROLL for (int i = 0; i < parts; ++i) reinterpret_cast<Native*>(p)[i] = part[i];
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) at(p + i * lanes) = part[i];
+  }
+
+  /// The nodes of a cell in the rows of an arena (RowArena): two pairs, the second `line_step`
+  /// numbers behind the first; one row, two or four.
+  static SCREE_FN NodeRow load_cell(const T* p, int line_step) {
+    NodeRow r;
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = at(cell_part(p, line_step, i));
+    return r;
+  }
+  SCREE_FN void store_cell(T* p, int line_step) const {
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) at(cell_part(p, line_step, i)) = part[i];
+  }
+
+  /// The same for nodes along the last axis, in rows that follow each other.
+  static SCREE_FN NodeRow load_line(const T* p) {
+    NodeRow r;
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = at(p + i * part_quads * lanes);
+    return r;
+  }
+  SCREE_FN void store_line(T* p) const {
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) at(p + i * part_quads * lanes) = part[i];
   }
 
   /// The same quad four times; p: 4 numbers, aligned to their size together.
   static SCREE_FN NodeRow repeat(const T* p) {
     NodeRow r;
-#ifdef __AVX512F__
-    // The forms with a mask: GCC 12 warns about its own header in the ones without.
-    if constexpr (parts == 1) {
-      r.part[0] = Native(_mm512_maskz_broadcast_f32x4(__mmask16(0xffff), _mm_load_ps(p)));
+    const Native quads = repeated_quad(p);
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = quads;
+    return r;
+  }
+
+  /// The same number everywhere.
+  static SCREE_FN NodeRow all_of(T x) {
+    NodeRow r;
+    SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = x - Native{};
+    return r;
+  }
+
+  /// Each of 4 numbers, aligned to their size together, four times.
+  static SCREE_FN NodeRow spread(const T* p) {
+    NodeRow r;
+    if constexpr (part_quads == 1) {
+      SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = p[i] - Native{};
+    } else if constexpr (part_quads == 2) {
+      const Native q = repeated_quad(p);
+      constexpr int h = lanes / 2;  // the second half's numbers come from the second half
+      r.part[0] = __builtin_shufflevector(q, q, 0, 0, 0, 0, h + 1, h + 1, h + 1, h + 1);
+      r.part[1] = __builtin_shufflevector(q, q, 2, 2, 2, 2, h + 3, h + 3, h + 3, h + 3);
     } else {
-      r.part[0] = r.part[1] =
-          Native(_mm512_maskz_broadcast_f64x4(__mmask8(0xff), _mm256_load_pd(p)));
+      const Native q = repeated_quad(p);
+      r.part[0] =
+          __builtin_shufflevector(q, q, 0, 0, 0, 0, 5, 5, 5, 5, 10, 10, 10, 10, 15, 15, 15, 15);
     }
-#else
-    T all[values];
-    SCREE_UNROLL for (int i = 0; i < 4; ++i) std::memcpy(all + 4 * i, p, 4 * sizeof(T));
-    std::memcpy(&r, all, sizeof r);
-#endif
     return r;
   }
 
@@ -62,23 +96,60 @@ struct NodeRow {
     SCREE_UNROLL for (int i = 0; i < parts; ++i) a.part[i] = a.part[i] * b.part[i] + c.part[i];
     return a;
   }
+
+ private:
+  static SCREE_FN Native& at(T* p) { return *reinterpret_cast<Native*>(p); }
+  static SCREE_FN const Native& at(const T* p) { return *reinterpret_cast<const Native*>(p); }
+
+  template <class P>
+  static SCREE_FN P* cell_part(P* p, int line_step, int i) {
+    if constexpr (part_quads == 1) return p + i % 2 * lanes + i / 2 * line_step;
+    return p + i * line_step;
+  }
+
+  static SCREE_FN Native repeated_quad(const T* p) {
+#ifdef SCREE_AVX512
+    // The forms with a mask: GCC 12 warns about its own header in the ones without.
+    if constexpr (part_quads == 4) {
+      return Native(_mm512_maskz_broadcast_f32x4(__mmask16(0xffff), _mm_load_ps(p)));
+    } else {
+      return Native(_mm512_maskz_broadcast_f64x4(__mmask8(0xff), _mm256_load_pd(p)));
+    }
+#else
+    typedef T Quad __attribute__((vector_size(4 * sizeof(T)), may_alias));
+    const Quad quad = *reinterpret_cast<const Quad*>(p);
+    if constexpr (part_quads == 1) {
+      return Native(quad);
+    } else if constexpr (part_quads == 2) {
+      return __builtin_shufflevector(quad, quad, 0, 1, 2, 3, 0, 1, 2, 3);
+    } else {
+      return __builtin_shufflevector(quad, quad, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3);
+    }
+#endif
+  }
 };
+
+/// Three nodes along the last axis; the fourth quad, where there is one, is zero.
+template <class T>
+using LineRow = NodeRow<T, 3>;
 
 namespace detail {
 
-/// Quads a and b (0 .. 3 of x, 4 .. 7 of y) and, with 16 lanes, c and d, as one vector.
+/// Quads a and b (0 .. 3 of x, 4 .. 7 of y) and, with 16 lanes, c and d, as one part.
 template <class T, int a, int b, int c, int d>
 SCREE_FN typename NodeRow<T>::Native pick_quads(const NodeRow<T>& x, const NodeRow<T>& y) {
-  if constexpr (NodeRow<T>::parts == 1) {
+  if constexpr (NodeRow<T>::part_quads == 4) {
     return __builtin_shufflevector(x.part[0], y.part[0], 4 * a, 4 * a + 1, 4 * a + 2, 4 * a + 3,
                                    4 * b, 4 * b + 1, 4 * b + 2, 4 * b + 3, 4 * c, 4 * c + 1,
                                    4 * c + 2, 4 * c + 3, 4 * d, 4 * d + 1, 4 * d + 2, 4 * d + 3);
-  } else {
+  } else if constexpr (NodeRow<T>::part_quads == 2) {
     const auto& first = a < 4 ? x.part[a / 2 % 2] : y.part[a / 2 % 2];
     const auto& second = b < 4 ? x.part[b / 2 % 2] : y.part[b / 2 % 2];
     constexpr int i = a % 2 * 4;
     constexpr int j = b % 2 * 4 + 8;
     return __builtin_shufflevector(first, second, i, i + 1, i + 2, i + 3, j, j + 1, j + 2, j + 3);
+  } else {
+    return a < 4 ? x.part[a % 4] : y.part[a % 4];
   }
 }
 
@@ -87,34 +158,31 @@ SCREE_FN typename NodeRow<T>::Native pick_quads(const NodeRow<T>& x, const NodeR
 /// The quads a, b, c, d of x (0 .. 3) and y (4 .. 7).
 template <int a, int b, int c, int d, class T>
 SCREE_FN NodeRow<T> quads(const NodeRow<T>& x, const NodeRow<T>& y) {
+  using detail::pick_quads;
   if constexpr (NodeRow<T>::parts == 1) {
-    return {{detail::pick_quads<T, a, b, c, d>(x, y)}};
+    return {{pick_quads<T, a, b, c, d>(x, y)}};
+  } else if constexpr (NodeRow<T>::parts == 2) {
+    return {{pick_quads<T, a, b, 0, 0>(x, y), pick_quads<T, c, d, 0, 0>(x, y)}};
   } else {
-    return {{detail::pick_quads<T, a, b, 0, 0>(x, y), detail::pick_quads<T, c, d, 0, 0>(x, y)}};
-  }
-}
-
-/// Each number of quad q four times.
-template <int q, class T>
-SCREE_FN NodeRow<T> spread(const NodeRow<T>& x) {
-  constexpr int i = 4 * q;
-  if constexpr (NodeRow<T>::parts == 1) {
-    return {{__builtin_shufflevector(x.part[0], x.part[0], i, i, i, i, i + 1, i + 1, i + 1, i + 1,
-                                     i + 2, i + 2, i + 2, i + 2, i + 3, i + 3, i + 3, i + 3)}};
-  } else {
-    const auto& p = x.part[q / 2];
-    constexpr int j = i % 8;
-    return {
-        {__builtin_shufflevector(p, p, j, j, j, j, j + 1, j + 1, j + 1, j + 1),
-         __builtin_shufflevector(p, p, j + 2, j + 2, j + 2, j + 2, j + 3, j + 3, j + 3, j + 3)}};
+    return {{pick_quads<T, a, 0, 0, 0>(x, y), pick_quads<T, b, 0, 0, 0>(x, y),
+             pick_quads<T, c, 0, 0, 0>(x, y), pick_quads<T, d, 0, 0, 0>(x, y)}};
   }
 }
 
 /// The sum of the four quads, four times.
 template <class T>
 SCREE_FN NodeRow<T> total(const NodeRow<T>& x) {
-  const NodeRow<T> pairs = x + quads<2, 3, 0, 1>(x, x);
-  return pairs + quads<1, 0, 3, 2>(pairs, pairs);
+  if constexpr (NodeRow<T>::parts == 4) {
+    const auto sum = (x.part[0] + x.part[2]) + (x.part[1] + x.part[3]);
+    return {{sum, sum, sum, sum}};
+  } else if constexpr (NodeRow<T>::parts == 2) {
+    const auto pairs = x.part[0] + x.part[1];
+    const auto sum = pairs + __builtin_shufflevector(pairs, pairs, 4, 5, 6, 7, 0, 1, 2, 3);
+    return {{sum, sum}};
+  } else {
+    const NodeRow<T> pairs = x + quads<2, 3, 0, 1>(x, x);
+    return pairs + quads<1, 0, 3, 2>(pairs, pairs);
+  }
 }
 
 /// A row whose quads are a, b, c, d four times each.

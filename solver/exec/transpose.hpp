@@ -3,80 +3,161 @@
 
 #include <utility>
 
-#include "solver/base/config.hpp"
+#include "solver/base/register.hpp"
 
 namespace scree {
 
-/// Register transposes between "lanes = particles" (one vector a quantity) and "one record of 16
-/// numbers a particle", for vectors of 64 bytes: log2(W) rounds of interleaving.
+/// Register transposes between "lanes = particles" (one vector of 64 bytes a quantity) and "one
+/// record of 16 numbers a particle": squares of one register of the machine each, first within
+/// pieces of 16 bytes (interleaving, cheap), then whole pieces.
 template <class T>
 struct LaneTranspose {
   static constexpr int width = 64 / sizeof(T);
-  typedef T Native __attribute__((vector_size(64), may_alias));
-
   static constexpr int record = 16;
-
-  /// n quantities, one a row, of all lanes -> the n quantities of lane 0, of lane 1, ..., in
-  /// place; n is a power of two.
-  template <int n>
-  [[gnu::always_inline]] static inline void weave(Native (&rows)[n]) {
-    constexpr std::make_integer_sequence<int, width> lanes;
-    SCREE_UNROLL for (int round = 1; round < n; round *= 2) {
-      Native next[n];
-      SCREE_UNROLL for (int i = 0; i < n / 2; ++i) {
-        next[2 * i] = interleave<0>(rows[i], rows[i + n / 2], lanes);
-        next[2 * i + 1] = interleave<width / 2>(rows[i], rows[i + n / 2], lanes);
-      }
-      SCREE_UNROLL for (int i = 0; i < n; ++i) rows[i] = next[i];
-    }
-  }
-
-  /// rows[i] lane j -> rows[j] lane i, in place.
-  [[gnu::always_inline]] static inline void square(Native (&rows)[width]) { weave(rows); }
-
-  /// in: 4 vectors (quantity q of all lanes at in + q * width); out: quad of lane l at out + 4 l.
-  [[gnu::always_inline]] static inline void to_quads(const T* in, T* out) {
-    Native rows[4];
-    SCREE_UNROLL for (int i = 0; i < 4; ++i) rows[i] = at(in, i);
-    weave(rows);
-    SCREE_UNROLL for (int i = 0; i < 4; ++i) at(out, i) = rows[i];
-  }
 
   /// in: 16 vectors (quantity q of all lanes at in + q * width); out: record of lane l at out + 16
   /// l.
   [[gnu::always_inline]] static inline void to_records(const T* in, T* out) {
-    for (int c = 0; c < record / width; ++c) {
-      Native rows[width];
-      SCREE_UNROLL for (int i = 0; i < width; ++i) rows[i] = at(in, c * width + i);
-      square(rows);
-      SCREE_UNROLL for (int l = 0; l < width; ++l) at(out, l * (record / width) + c) = rows[l];
-    }
+    turn<record, width>(in, width, out, record);
   }
 
   /// The inverse of to_records.
   [[gnu::always_inline]] static inline void to_lanes(const T* in, T* out) {
-    for (int c = 0; c < record / width; ++c) {
-      Native rows[width];
-      SCREE_UNROLL for (int l = 0; l < width; ++l) rows[l] = at(in, l * (record / width) + c);
-      square(rows);
-      SCREE_UNROLL for (int i = 0; i < width; ++i) at(out, c * width + i) = rows[i];
+    turn<width, record>(in, record, out, width);
+  }
+
+  /// in: 4 vectors (quantity q of all lanes at in + q * width); out: quad of lane l at out +
+  /// quad_place(l).
+  [[gnu::always_inline]] static inline void to_quads(const T* in, T* out) {
+    for (int first = 0; first < width; first += size) {
+      Native rows[4];
+      SCREE_UNROLL for (int i = 0; i < 4; ++i) rows[i] = at(in + i * width + first);
+      within_pieces(rows);
+      if constexpr (piece == 2) pair_pieces(rows);
+      SCREE_UNROLL for (int i = 0; i < 4; ++i) at(out + 4 * first + i * size) = rows[i];
     }
+  }
+  /// Places are such that most quads need no more than interleaving.
+  static constexpr int quad_place(int l) {
+    const int first = l / size * size;
+    const int in = l - first;
+    if (piece == 4) return 4 * first + in % 4 * size + in / 4 * 4;
+    if (pieces == 4) return 4 * first + (in % 2 * 2 + in / 2 % 2) * size + in / 4 * 4;
+    return 4 * l;
   }
 
  private:
-  /// The i-th vector of 64 bytes behind p.
-  [[gnu::always_inline]] static inline Native& at(T* p, int i) {
-    return reinterpret_cast<Native*>(p)[i];
-  }
-  [[gnu::always_inline]] static inline Native at(const T* p, int i) {
-    return reinterpret_cast<const Native*>(p)[i];
+  static constexpr int bytes = detail::register_bytes;
+  static constexpr int size = bytes / int(sizeof(T));  ///< numbers in a register
+  static constexpr int piece = 16 / int(sizeof(T));    ///< numbers in 16 bytes
+  static constexpr int pieces = bytes / 16;
+  typedef T Native __attribute__((vector_size(bytes), may_alias));
+
+  [[gnu::always_inline]] static inline Native& at(T* p) { return *reinterpret_cast<Native*>(p); }
+  [[gnu::always_inline]] static inline Native at(const T* p) {
+    return *reinterpret_cast<const Native*>(p);
   }
 
-  /// a[first], b[first], a[first + 1], b[first + 1], ...
-  template <int first, int... I>
+  /// out[c][r] = in[r][c] for `rows` x `columns` numbers.
+  template <int rows, int columns>
+  [[gnu::always_inline]] static inline void turn(const T* in, int in_step, T* out, int out_step) {
+    for (int r = 0; r < rows; r += size) {
+      for (int c = 0; c < columns; c += size) {
+        Native square[size];
+        SCREE_UNROLL for (int i = 0; i < size; ++i) square[i] = at(in + (r + i) * in_step + c);
+        within_pieces(square);
+        whole_pieces(square);
+        SCREE_UNROLL for (int i = 0; i < size; ++i) at(out + (c + i) * out_step + r) = square[i];
+      }
+    }
+  }
+
+  /// Transposes the piece x piece numbers of each 16 bytes: rows g piece .. g piece + piece - 1
+  /// belong together.
+  template <int n>
+  [[gnu::always_inline]] static inline void within_pieces(Native (&rows)[n]) {
+    constexpr std::make_integer_sequence<int, size> lanes;
+    SCREE_UNROLL for (int g = 0; g < n; g += piece) {
+      if constexpr (piece == 2) {
+        const Native a = rows[g], b = rows[g + 1];
+        rows[g] = interleave<1, 0>(a, b, lanes);
+        rows[g + 1] = interleave<1, 1>(a, b, lanes);
+      } else {
+        const Native a = interleave<1, 0>(rows[g], rows[g + 1], lanes);
+        const Native b = interleave<1, 1>(rows[g], rows[g + 1], lanes);
+        const Native c = interleave<1, 0>(rows[g + 2], rows[g + 3], lanes);
+        const Native d = interleave<1, 1>(rows[g + 2], rows[g + 3], lanes);
+        rows[g] = interleave<2, 0>(a, c, lanes);
+        rows[g + 1] = interleave<2, 1>(a, c, lanes);
+        rows[g + 2] = interleave<2, 0>(b, d, lanes);
+        rows[g + 3] = interleave<2, 1>(b, d, lanes);
+      }
+    }
+  }
+
+  /// Transposes the pieces of 16 bytes: piece j of row i piece + k <-> piece i of row j piece + k.
+  [[gnu::always_inline]] static inline void whole_pieces(Native (&rows)[size]) {
+    if constexpr (pieces == 2) {
+      SCREE_UNROLL for (int k = 0; k < piece; ++k) {
+        const Native a = rows[k], b = rows[piece + k];
+        rows[k] = join<0, 2>(a, b);
+        rows[piece + k] = join<1, 3>(a, b);
+      }
+    } else if constexpr (pieces == 4) {
+      SCREE_UNROLL for (int k = 0; k < piece; ++k) {
+        const Native a = rows[k], b = rows[piece + k];
+        const Native c = rows[2 * piece + k], d = rows[3 * piece + k];
+        const Native even_low = join<0, 2, 4, 6>(a, b), odd_low = join<1, 3, 5, 7>(a, b);
+        const Native even_high = join<0, 2, 4, 6>(c, d), odd_high = join<1, 3, 5, 7>(c, d);
+        rows[k] = join<0, 2, 4, 6>(even_low, even_high);
+        rows[piece + k] = join<0, 2, 4, 6>(odd_low, odd_high);
+        rows[2 * piece + k] = join<1, 3, 5, 7>(even_low, even_high);
+        rows[3 * piece + k] = join<1, 3, 5, 7>(odd_low, odd_high);
+      }
+    }
+  }
+
+  /// Doubles: rows 0, 1 hold quantities 0, 1 and rows 2, 3 quantities 2, 3 of even and odd lanes;
+  /// puts the two halves of each quad side by side.
+  [[gnu::always_inline]] static inline void pair_pieces(Native (&rows)[4]) {
+    const Native a = rows[0], b = rows[1], c = rows[2], d = rows[3];
+    if constexpr (pieces == 1) {
+      rows[1] = c;
+      rows[2] = b;
+    } else if constexpr (pieces == 2) {
+      rows[0] = join<0, 2>(a, c);
+      rows[1] = join<0, 2>(b, d);
+      rows[2] = join<1, 3>(a, c);
+      rows[3] = join<1, 3>(b, d);
+    } else {
+      rows[0] = join<0, 4, 2, 6>(a, c);
+      rows[1] = join<1, 5, 3, 7>(a, c);
+      rows[2] = join<0, 4, 2, 6>(b, d);
+      rows[3] = join<1, 5, 3, 7>(b, d);
+    }
+  }
+
+  /// Within each 16 bytes: runs of `run` numbers of a and b in turn, from their lower (half 0) or
+  /// upper (half 1) half.
+  template <int run, int half, int... I>
   [[gnu::always_inline]] static inline Native interleave(Native a, Native b,
                                                          std::integer_sequence<int, I...>) {
-    return __builtin_shufflevector(a, b, (first + I / 2 + (I % 2) * width)...);
+    return __builtin_shufflevector(
+        a, b,
+        (I / piece * piece + half * piece / 2 + I % piece / (2 * run) * run + I % run +
+         (I % piece / run % 2) * size)...);
+  }
+
+  /// The pieces of 16 bytes with these numbers; those of a, then those of b.
+  template <int... P>
+  [[gnu::always_inline]] static inline Native join(Native a, Native b) {
+    return join_numbers<P...>(a, b, std::make_integer_sequence<int, size>{});
+  }
+  template <int... P, int... I>
+  [[gnu::always_inline]] static inline Native join_numbers(Native a, Native b,
+                                                           std::integer_sequence<int, I...>) {
+    constexpr int place[] = {P...};
+    return __builtin_shufflevector(a, b, (place[I / piece] * piece + I % piece)...);
   }
 };
 

@@ -86,17 +86,4 @@ SCREE_FN void move_to_image(T* image, T* ghost) {
   }
 }
 
-/// Local damping of a momentum with all impulses; `before`, that before forces, becomes a velocity.
-/// Cundall: a fraction of the out-of-balance force opposes the velocity.
-template <int D, class T>
-SCREE_FN void damp_node(T* momentum, T* before, T mass, T local) {
-  for (int a = 0; a < D; ++a) {
-    const T old = before[a];
-    const T change = momentum[a] - old;
-    const T damping = local * (change < T(0) ? -change : change);
-    if (local > T(0)) momentum[a] -= old > T(0) ? damping : old < T(0) ? -damping : T(0);
-    before[a] = mass > T(0) ? old / mass : T(0);
-  }
-}
-
 }  // namespace scree

@@ -2,55 +2,12 @@
 #include "solver/grid/grid_update.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "solver/boundary/contact.hpp"
-#include "solver/grid/face_fold.hpp"
+#include "solver/boundary/faces.hpp"
 
 namespace scree {
-namespace {
-
-/// A node's record {vector, mass} in one register.
-template <class T>
-using Record [[gnu::vector_size(4 * sizeof(T)), gnu::may_alias]] = T;
-
-/// Adds mass x kick to each momentum; returns the sum of the masses.
-template <class T>
-double kick_nodes(T* nodes, std::size_t count, const T (&kick)[3]) {
-  const Record<T> step{kick[0], kick[1], kick[2], T(0)};
-  double sum[4] = {0, 0, 0, 0};  // of every fourth node: sums that do not wait for each other
-  for (std::size_t i = 0; i < count; ++i) {
-    Record<T>& node = reinterpret_cast<Record<T>*>(nodes)[i];
-    const T mass = node[mass_slot];
-    node += mass * step;
-    sum[i % 4] += mass;
-  }
-  return (sum[0] + sum[1]) + (sum[2] + sum[3]);
-}
-
-/// Momentum -> velocity x keep; nodes without mass rest.
-template <class T>
-void divide_by_mass(T* nodes, std::size_t count, T keep) {
-  for (std::size_t i = 0; i < count; ++i) {
-    Record<T>& node = reinterpret_cast<Record<T>*>(nodes)[i];
-    const T mass = node[mass_slot];
-    if (!(mass > T(0))) {
-      node = Record<T>{T(0), T(0), T(0), mass};
-      continue;
-    }
-    node = node / mass * keep;
-    node[mass_slot] = mass;
-  }
-}
-
-/// q <- p - q: the velocity change.
-template <int D, class T>
-void subtract_from(const T* p, T* q, std::size_t count) {
-  for (std::size_t i = 0; i < count * node_values; i += node_values) {
-    for (int a = 0; a < D; ++a) q[i + a] = p[i + a] - q[i + a];
-  }
-}
-
-}  // namespace
 
 template <int D, class T>
 GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
@@ -59,8 +16,22 @@ GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
 
 template <int D, class T>
 void GridUpdate<D, T>::rebuild(const Grid<D, T>& grid) {
+  remember(grid.topology().keys());
   pairs_ = find_face_pairs(grid, domain_);
   for (int a = 0; a < D; ++a) folded_[a].assign(pairs_[a].size(), 0);
+}
+
+/// Blocks that stay keep their memory; both lists of keys are sorted.
+template <int D, class T>
+void GridUpdate<D, T>::remember(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::vector<BlockContactMemory>> memory(keys.size());
+  for (std::size_t now = 0, before = 0; now < keys.size(); ++now) {
+    while (before < remembered_.size() && remembered_[before] < keys[now]) ++before;
+    if (before < remembered_.size() && remembered_[before] == keys[now])
+      memory[now] = std::move(memory_[before]);
+  }
+  memory_ = std::move(memory);
+  remembered_ = keys;
 }
 
 template <int D, class T>
@@ -123,22 +94,65 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
       for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
         const FacePair& pair = pairs_[axis][i];
         if ((faces_.type[axis][pair.side] == FaceType::sticky) != held) continue;
-        const FaceType type = faces_.type[axis][pair.side];
-        const T friction = T(faces_.friction[axis][pair.side]);
-        const auto at = [](T* channel, std::int64_t record) {
-          return channel == nullptr ? nullptr : channel + record * node_values;
-        };
         if (pair.ghost == pair.image) {
-          hold_wall_node<D>(type, friction, axis, pair.side, at(p, pair.image),
-                            at(before, pair.image));
+          hold_wall_node(pair, axis, p, before);
         } else {
-          folded_[axis][i] =
-              fold_ghost<D>(type, friction, axis, pair.side, at(p, pair.image), at(p, pair.ghost),
-                            at(before, pair.image), at(before, pair.ghost));
+          folded_[axis][i] = fold_ghost(pair, axis, p, before) ? 1 : 0;
         }
       }
     }
   }
+}
+
+/// A node on a wall. `before` (may be null): momenta before forces.
+template <int D, class T>
+void GridUpdate<D, T>::hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const {
+  const FaceType type = faces_.type[axis][pair.side];
+  T* record = p + pair.image * node_values;
+  NodeMomentum<T> node = read_node<D>(record);
+  plane_node<T, D>(type, T(faces_.friction[axis][pair.side]), axis, pair.side == 0 ? -1 : 1, node);
+  write_node<D>(record, node);
+  if (before == nullptr) return;
+  // So is the momentum before forces, or flip and local damping would see the wall's impulse.
+  for (int a = 0; a < D; ++a) {
+    const bool held = a == axis || type == FaceType::sticky;
+    if (held && node.momentum[a] == T(0)) before[pair.image * node_values + a] = T(0);
+  }
+}
+
+/// A ghost and its image; true if the ghost's mass moved to the image.
+template <int D, class T>
+bool GridUpdate<D, T>::fold_ghost(const FacePair& pair, int axis, T* p, T* before) const {
+  const FaceType type = faces_.type[axis][pair.side];
+  T* image = p + pair.image * node_values;
+  T* ghost = p + pair.ghost * node_values;
+  NodeMomentum<T> real = read_node<D>(image);
+  NodeMomentum<T> other = read_node<D>(ghost);
+  const T own_mass = real.mass;
+  if (type == FaceType::periodic) {
+    for (int a = 0; a < D; ++a) real.momentum[a] += other.momentum[a];
+    real.mass += other.mass;
+    other = NodeMomentum<T>{};
+  } else {
+    const T friction = T(faces_.friction[axis][pair.side]);
+    fold_pair<T, D>(type, friction, axis, pair.side == 0 ? -1 : 1, real, other);
+  }
+  write_node<D>(image, real);
+  write_node<D>(ghost, other);
+  if (other.mass > 0) return false;
+  if (before == nullptr) return true;
+  // The momentum before forces follows in the same way, so that the velocity change is the pair's.
+  Vec3<T> image_before{};
+  for (int a = 0; a < D; ++a) image_before[a] = before[pair.ghost * node_values + a];
+  if (type != FaceType::periodic) image_before = mirror_velocity<T, D>(type, axis, image_before);
+  const bool grows = type == FaceType::sticky && own_mass > T(0);
+  for (int a = 0; a < D; ++a) {
+    T& own = before[pair.image * node_values + a];
+    if (grows && a != axis) own *= real.mass / own_mass;
+    own += image_before[a];
+    before[pair.ghost * node_values + a] = T(0);
+  }
+  return true;
 }
 
 template <int D, class T>
@@ -146,8 +160,12 @@ void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
   for (int axis = 0; axis < D; ++axis) {
     for (const FacePair& pair : pairs_[axis]) {
       if (faces_.type[axis][pair.side] != FaceType::periodic) continue;
-      move_to_image(channel.data() + pair.image * node_values,
-                    channel.data() + pair.ghost * node_values);
+      T* image = channel.data() + pair.image * node_values;
+      T* ghost = channel.data() + pair.ghost * node_values;
+      for (int i = 0; i < node_values; ++i) {
+        image[i] += ghost[i];
+        ghost[i] = T(0);
+      }
     }
   }
 }
@@ -162,8 +180,10 @@ void GridUpdate<D, T>::unfold(T* p, T* q, bool separate) const {
         if ((type == FaceType::sticky) != held) continue;
         if (folded_[axis][i] == 0 || pair.ghost == pair.image) continue;
         for (T* channel : {p, separate ? q : p}) {
-          unfold_ghost<D>(type, axis, channel + pair.image * node_values,
-                          channel + pair.ghost * node_values);
+          Vec3<T> v{};
+          for (int a = 0; a < D; ++a) v[a] = channel[pair.image * node_values + a];
+          if (type != FaceType::periodic) v = mirror_velocity<T, D>(type, axis, v);
+          for (int a = 0; a < D; ++a) channel[pair.ghost * node_values + a] = v[a];
         }
       }
     }
@@ -195,54 +215,102 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
   const T keep =
       forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
   const T local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
-  if (q != nullptr) {
-    for (std::size_t i = first; i < first + records * node_values; i += node_values) {
-      damp_node<D>(p + i, q + i, p[i + mass_slot], local);
-    }
-  }
   divide_by_mass(p + first, records, keep);
-  if (!colliders.empty()) touch_block(grid, block, p + first, colliders);
+  if (q != nullptr) divide_by_mass_of<D>(p + first, q + first, records);
+  // (m v - m v_old)/dt = f + R - m value v: R stops what the damping has left of v, and 1/keep of
+  // it.
+  if (!colliders.empty() || local > T(0))
+    touch_block(grid, block, p + first, q == nullptr ? nullptr : q + first, local, keep, colliders);
   if (q != nullptr) subtract_from<D>(p + first, q + first, records);
 }
 
 template <int D, class T>
+std::array<double, 3> GridUpdate<D, T>::position(const Grid<D, T>& grid, std::int64_t block,
+                                                 int i) const {
+  const int lattice = i / block_node_count<D>;
+  const BlockCoord<D> node = grid.node(int(block), i % block_node_count<D>);
+  std::array<double, 3> x = lower_;
+  for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
+  return x;
+}
+
+/// Local damping comes after the colliders, whose reaction is part of the unbalanced force.
+template <int D, class T>
 void GridUpdate<D, T>::touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
-                                   std::vector<Collider>& colliders) {
-  Reaction* reactions = &block_reactions_[std::size_t(block) * colliders.size()];
+                                   const T* before, T local, T keep,
+                                   const std::vector<Collider>& colliders) {
+  Reaction* reactions = block_reactions_.data() + std::size_t(block) * colliders.size();
+  std::vector<BlockContactMemory>& memory = memory_[std::size_t(block)];
+  memory.resize(colliders.size());
+  bool any_near = false;
+  for (std::size_t c = 0; c < colliders.size(); ++c) {
+    memory[c].near = near_block(grid, block, colliders[c], memory[c]);
+    any_near = any_near || memory[c].near;
+  }
+  if (!any_near && !(local > T(0))) return;
+  std::vector<HeldDirection> held;
   for (int i = 0; i < grid.lattices() * block_node_count<D>; ++i) {
     T* record = nodes + i * node_values;
     if (!(record[mass_slot] > T(0))) continue;
-    const int lattice = i / block_node_count<D>;
-    const BlockCoord<D> node = grid.node(int(block), i % block_node_count<D>);
-    std::array<double, 3> x = lower_;
-    for (int a = 0; a < D; ++a) x[a] += cell_size_ * (node[a] + 0.5 * lattice);
-    touch_colliders(x, record[mass_slot], record, colliders, reactions);
+    held.clear();
+    if (any_near) {
+      touch_node(position(grid, block, i), i, double(record[mass_slot]) / double(keep), record,
+                 colliders, memory, reactions, held);
+    }
+    if (local > T(0)) damp_node<D>(record, before + i * node_values, local, held);
   }
 }
 
+/// False if no node of the block can touch the collider.
 template <int D, class T>
-void GridUpdate<D, T>::touch_colliders(const std::array<double, 3>& x, T mass, T* v,
-                                       std::vector<Collider>& colliders,
-                                       Reaction* reactions) const {
+bool GridUpdate<D, T>::near_block(const Grid<D, T>& grid, std::int64_t block,
+                                  const Collider& collider, BlockContactMemory& memory) const {
+  if (!collider.costly()) return true;
+  // Its nodes lie within [0, 3] cells, with the second lattice within [0, 3.5].
+  const double half = 0.5 * cell_size_ * (block_cells - 1 + 0.5 * (grid.lattices() - 1));
+  const BlockCoord<D> first = grid.node(int(block), 0);
+  std::array<double, 3> center = lower_;
+  for (int a = 0; a < D; ++a) center[std::size_t(a)] += cell_size_ * first[a] + half;
+  if (collider.clear_of(center.data(), half * std::sqrt(double(D)), memory.center)) return false;
+  if (memory.nodes.empty()) memory.nodes.resize(std::size_t(grid.lattices()) * block_node_count<D>);
+  return true;
+}
+
+/// Contact of the block's node i (mass [kg], velocity v) at x with all colliders near the block.
+template <int D, class T>
+void GridUpdate<D, T>::touch_node(const std::array<double, 3>& x, int i, double mass, T* v,
+                                  const std::vector<Collider>& colliders,
+                                  std::vector<BlockContactMemory>& memory, Reaction* reactions,
+                                  std::vector<HeldDirection>& held) const {
   for (std::size_t c = 0; c < colliders.size(); ++c) {
     const Collider& collider = colliders[c];
-    if (!collider.touches(x.data())) continue;
-    const Vec3<double> old{{double(v[0]), double(v[1]), double(v[2])}};
-    const Vec3<double> now =
-        contact_velocity<double, D>(collider.contact(), collider.coefficient(), old,
-                                    collider.velocity(), collider.normal(x.data()));
+    if (!memory[c].near) continue;
+    Vec3<double> normal;
+    if (memory[c].nodes.empty()) {
+      if (!collider.touches(x.data())) continue;
+      normal = collider.normal(x.data());
+    } else if (!collider.touches(x.data(), memory[c].nodes[std::size_t(i)], normal)) {
+      continue;
+    }
+    Vec3<double> old{};
+    for (int a = 0; a < D; ++a) old[a] = double(v[a]);
+    const Vec3<double> now = contact_velocity<double, D>(collider.contact(), collider.coefficient(),
+                                                         old, collider.velocity(), normal);
     Vec3<double> impulse{};
     Vec3<double> arm{};
     const Vec3<double> centre = collider.reference_point();
+    bool holds = false;
     for (int a = 0; a < D; ++a) {
-      impulse[a] = double(mass) * (old[a] - now[a]);
+      impulse[a] = mass * (old[a] - now[a]);
+      holds = holds || old[a] != now[a];
       v[a] = T(now[a]);
     }
-    for (int a = 0; a < 3; ++a) arm[a] = x[a] - centre[a];
+    if (holds) held.push_back({collider.contact() == ContactType::sticky, normal});
+    for (int a = 0; a < 3; ++a) arm[a] = x[std::size_t(a)] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);
     for (int a = 0; a < 3; ++a) {
-      reactions[c].force[a] += impulse[a];
-      reactions[c].torque[a] += torque[a];
+      reactions[c].force[std::size_t(a)] += impulse[a];
+      reactions[c].torque[std::size_t(a)] += torque[a];
     }
   }
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "solver/boundary/collider.hpp"
 #include "solver/exec/thread_pool.hpp"
 #include "solver/grid/face_pairs.hpp"
+#include "solver/grid/node_updates.hpp"
 #include "solver/simulation/method.hpp"
 
 namespace scree {
@@ -20,7 +22,8 @@ struct GridForces {
   bool separate_force = false;  ///< channel 1 holds impulses, channel 0 momenta before forces
 };
 
-/// Force and torque (about its reference point) on a collider in a step.
+/// Force and torque (about its reference point) on a collider in a step: what the material exerts,
+/// whatever damping there is.
 struct Reaction {
   std::array<double, 3> force{};   ///< [N] (2D: N/m)
   std::array<double, 3> torque{};  ///< [N m] (2D: N)
@@ -51,17 +54,25 @@ class GridUpdate {
   const std::vector<Reaction>& reactions() const { return reactions_; }
 
  private:
+  void remember(const std::vector<std::uint64_t>& keys);
   double add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces, ThreadPool& pool);
   void fold(T* p, T* q, bool separate);
+  void hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const;
+  bool fold_ghost(const FacePair& pair, int axis, T* p, T* before) const;
   void unfold(T* p, T* q, bool separate) const;
   void to_velocity(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
                    std::vector<Collider>& colliders, ThreadPool& pool);
   void update_block(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
                     const GridForces& forces, std::vector<Collider>& colliders);
-  void touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes,
-                   std::vector<Collider>& colliders);
-  void touch_colliders(const std::array<double, 3>& x, T mass, T* v,
-                       std::vector<Collider>& colliders, Reaction* reactions) const;
+  /// Of a node of the block, by its record, m.
+  std::array<double, 3> position(const Grid<D, T>& grid, std::int64_t block, int i) const;
+  void touch_block(const Grid<D, T>& grid, std::int64_t block, T* nodes, const T* before, T local,
+                   T keep, const std::vector<Collider>& colliders);
+  void touch_node(const std::array<double, 3>& x, int i, double mass, T* v,
+                  const std::vector<Collider>& colliders, std::vector<BlockContactMemory>& memory,
+                  Reaction* reactions, std::vector<HeldDirection>& held) const;
+  bool near_block(const Grid<D, T>& grid, std::int64_t block, const Collider& collider,
+                  BlockContactMemory& memory) const;
 
   GridDomain<D> domain_;
   Faces<D> faces_;
@@ -69,6 +80,9 @@ class GridUpdate {
   double cell_size_;
   FacePairs<D> pairs_;
   std::array<std::vector<char>, D> folded_;  ///< per pair: the ghost follows its image
+  /// Per block, then per collider (or none yet); remembered_ are the keys of these blocks.
+  std::vector<std::vector<BlockContactMemory>> memory_;
+  std::vector<std::uint64_t> remembered_;
   std::vector<double> block_mass_;
   std::vector<Reaction> block_reactions_;
   std::vector<Reaction> reactions_;

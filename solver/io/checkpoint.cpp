@@ -4,16 +4,10 @@
 #include <hdf5.h>
 
 #include <cstring>
-#include <utility>
 
 #include "solver/base/error.hpp"
 #include "solver/io/durable_file.hpp"
-
-#ifdef __SANITIZE_ADDRESS__
-/// HDF5 1.10 does not free a file that it could not flush to a full disk; that is no leak of ours.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
-#endif
+#include "solver/io/hdf5_handle.hpp"
 
 namespace scree {
 
@@ -23,75 +17,6 @@ namespace {
 
 constexpr const char* format_name = "scree checkpoint";
 constexpr std::int64_t format_version = 1;
-
-/// Owns an HDF5 object; `close` is the H5?close of its kind.
-class Handle {
- public:
-  Handle() = default;
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-  Handle& operator=(Handle&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
-    return *this;
-  }
-  ~Handle() { release(); }
-
-  bool valid() const { return id_ >= 0; }
-  hid_t get() const { return id_; }
-  bool release() {
-    const hid_t id = std::exchange(id_, -1);
-    return id < 0 || close_(id) >= 0;
-  }
-
- private:
-  hid_t id_ = -1;
-  herr_t (*close_)(hid_t) = nullptr;
-};
-
-herr_t find_system_message(unsigned, const H5E_error2_t* error, void* found) {
-  // The low level driver reports "... errno = 28, error message = 'No space left on device', ...".
-  const char* start = error->desc ? std::strstr(error->desc, "error message = '") : nullptr;
-  if (!start) return 0;
-  start += std::strlen("error message = '");
-  const char* end = std::strchr(start, '\'');
-  *static_cast<std::string*>(found) = end ? std::string(start, end) : std::string(start);
-  return 1;
-}
-
-/// The operating system's words for the last HDF5 failure, after ": ", or nothing.
-std::string system_message() {
-  std::string found;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_system_message, &found);
-  return found.empty() ? found : ": " + found;
-}
-
-/// Starts the library: silent (failures become exceptions here) and without its exit handler,
-/// which would try once more to flush a file that could not be written.
-void start_library() {
-  static const bool started = [] {
-    H5dont_atexit();
-    H5open();
-    return H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
-  }();
-  (void)started;
-}
-
-hid_t memory_type(ElementType type) {
-  switch (type) {
-    case ElementType::float64:
-      return H5T_NATIVE_DOUBLE;
-    case ElementType::float32:
-      return H5T_NATIVE_FLOAT;
-    case ElementType::int64:
-      return H5T_NATIVE_INT64;
-    case ElementType::int32:
-      return H5T_NATIVE_INT32;
-    case ElementType::uint8:
-      return H5T_NATIVE_UINT8;
-  }
-  return -1;
-}
 
 /// A 64-bit checksum: a multiply and a rotation a word, so that any changed bit changes it.
 std::uint64_t checksum(const void* values, std::size_t bytes) {
@@ -109,8 +34,8 @@ std::uint64_t checksum(const void* values, std::size_t bytes) {
   return sum;
 }
 
-Handle file_access() {
-  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+Hdf5Handle file_access() {
+  Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   // Written aside and renamed, the file needs no lock, and some network disks refuse them.
   H5Pset_file_locking(access.get(), false, true);
   return access;
@@ -118,15 +43,15 @@ Handle file_access() {
 
 bool write_scalar_attribute(hid_t object, const char* name, hid_t file_type, hid_t type,
                             const void* value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Handle attribute(H5Acreate2(object, name, file_type, space.get(), H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle attribute(
+      H5Acreate2(object, name, file_type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   return attribute.valid() && H5Awrite(attribute.get(), type, value) >= 0;
 }
 
 bool read_scalar_attribute(hid_t object, const char* name, hid_t type, void* value) {
   if (H5Aexists(object, name) <= 0) return false;
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
   return attribute.valid() && H5Aread(attribute.get(), type, value) >= 0;
 }
 
@@ -139,7 +64,7 @@ bool same_type(hid_t stored, hid_t wanted) {
 
 struct CheckpointWriter::File {
   fs::path path;
-  Handle file;
+  Hdf5Handle file;
   bool committed = false;
 
   ~File() {
@@ -150,22 +75,22 @@ struct CheckpointWriter::File {
   }
 
   [[noreturn]] void fail() const {
-    const std::string why = system_message();
+    const std::string why = hdf5_system_message();
     throw RunFault(write_failure(path, 0) + why);
   }
 
   void put(const std::string& name, hid_t type, std::size_t element, bool is_text,
            const void* values, std::size_t count) {
     const hsize_t size = count;
-    const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    const Hdf5Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Hdf5Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(links.get(), 1);
     // No time stamps: the same state gives the same bytes.
-    const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_obj_track_times(creation.get(), false);
-    const Handle data(H5Dcreate2(file.get(), name.c_str(), type, space.get(), links.get(),
-                                 creation.get(), H5P_DEFAULT),
-                      H5Dclose);
+    const Hdf5Handle data(H5Dcreate2(file.get(), name.c_str(), type, space.get(), links.get(),
+                                     creation.get(), H5P_DEFAULT),
+                          H5Dclose);
     if (!data.valid()) fail();
     if (count > 0 && H5Dwrite(data.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail();
     const std::uint64_t sum = checksum(values, count * element);
@@ -178,11 +103,11 @@ struct CheckpointWriter::File {
 };
 
 CheckpointWriter::CheckpointWriter(const fs::path& path) : file_(std::make_unique<File>()) {
-  start_library();
+  start_hdf5();
   file_->path = path;
-  const Handle access = file_access();
-  file_->file =
-      Handle(H5Fcreate(aside(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()), H5Fclose);
+  const Hdf5Handle access = file_access();
+  file_->file = Hdf5Handle(H5Fcreate(aside(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()),
+                           H5Fclose);
   if (!file_->file.valid()) file_->fail();
   CheckpointWriter::put_text("format", format_name);
   CheckpointWriter::put_array("format_version", ElementType::int64, &format_version, 1);
@@ -191,12 +116,12 @@ CheckpointWriter::CheckpointWriter(const fs::path& path) : file_(std::make_uniqu
 CheckpointWriter::~CheckpointWriter() = default;
 
 void CheckpointWriter::put_text(const std::string& name, const std::string& text) {
-  file_->put(name, memory_type(ElementType::uint8), 1, true, text.data(), text.size());
+  file_->put(name, hdf5_type(ElementType::uint8), 1, true, text.data(), text.size());
 }
 
 void CheckpointWriter::put_array(const std::string& name, ElementType type, const void* values,
                                  std::size_t count) {
-  file_->put(name, memory_type(type), element_size(type), false, values, count);
+  file_->put(name, hdf5_type(type), element_size(type), false, values, count);
 }
 
 void CheckpointWriter::commit() {
@@ -208,17 +133,17 @@ void CheckpointWriter::commit() {
 
 struct CheckpointReader::File {
   fs::path path;
-  Handle file;
+  Hdf5Handle file;
 
   [[noreturn]] void fail(const std::string& what) const {
     throw RunFault("cannot read the checkpoint " + path.string() + ": " + what);
   }
 
   /// The dataset of this name, type and kind.
-  Handle open(const std::string& name, hid_t type, bool is_text) const {
-    Handle data(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  Hdf5Handle open(const std::string& name, hid_t type, bool is_text) const {
+    Hdf5Handle data(H5Dopen2(file.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!data.valid()) fail("'" + name + "' is missing");
-    const Handle stored(H5Dget_type(data.get()), H5Tclose);
+    const Hdf5Handle stored(H5Dget_type(data.get()), H5Tclose);
     std::uint8_t text = 0;
     read_scalar_attribute(data.get(), "text", H5T_NATIVE_UINT8, &text);
     if (!same_type(stored.get(), type) || (text != 0) != is_text) {
@@ -227,13 +152,13 @@ struct CheckpointReader::File {
     return data;
   }
 
-  std::size_t size(const Handle& data) const {
-    const Handle space(H5Dget_space(data.get()), H5Sclose);
+  std::size_t size(const Hdf5Handle& data) const {
+    const Hdf5Handle space(H5Dget_space(data.get()), H5Sclose);
     const hssize_t size = H5Sget_simple_extent_npoints(space.get());
     return size < 0 ? 0 : static_cast<std::size_t>(size);
   }
 
-  void read(const Handle& data, const std::string& name, hid_t type, void* values,
+  void read(const Hdf5Handle& data, const std::string& name, hid_t type, void* values,
             std::size_t bytes) const {
     std::uint64_t stored = 0;
     if ((bytes > 0 && H5Dread(data.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) ||
@@ -245,14 +170,14 @@ struct CheckpointReader::File {
 };
 
 CheckpointReader::CheckpointReader(const fs::path& path) : file_(std::make_unique<File>()) {
-  start_library();
+  start_hdf5();
   file_->path = path;
   std::error_code error;
   if (!fs::is_regular_file(path, error)) file_->fail("there is no such file");
-  const Handle access = file_access();
-  file_->file = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+  const Hdf5Handle access = file_access();
+  file_->file = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
   if (!file_->file.valid()) {
-    const std::string why = system_message();
+    const std::string why = hdf5_system_message();
     file_->fail("it is truncated, damaged or not an HDF5 file" + why);
   }
   if (!CheckpointReader::has("format") || CheckpointReader::text("format") != format_name)
@@ -275,21 +200,21 @@ bool CheckpointReader::has(const std::string& name) const {
 }
 
 std::string CheckpointReader::text(const std::string& name) const {
-  const hid_t type = memory_type(ElementType::uint8);
-  const Handle data = file_->open(name, type, true);
+  const hid_t type = hdf5_type(ElementType::uint8);
+  const Hdf5Handle data = file_->open(name, type, true);
   std::string text(file_->size(data), '\0');
   file_->read(data, name, type, text.data(), text.size());
   return text;
 }
 
 std::size_t CheckpointReader::array_size(const std::string& name, ElementType type) const {
-  return file_->size(file_->open(name, memory_type(type), false));
+  return file_->size(file_->open(name, hdf5_type(type), false));
 }
 
 void CheckpointReader::read_array(const std::string& name, ElementType type, void* values,
                                   std::size_t count) const {
-  const hid_t memory = memory_type(type);
-  const Handle data = file_->open(name, memory, false);
+  const hid_t memory = hdf5_type(type);
+  const Hdf5Handle data = file_->open(name, memory, false);
   file_->read(data, name, memory, values, count * element_size(type));
 }
 

@@ -1,107 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/io/frame_series.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
-#include <optional>
-
-#include "solver/base/error.hpp"
-#include "solver/io/durable_file.hpp"
+#include "solver/io/vtk_series.hpp"
+#include "solver/io/xdmf_series.hpp"
 
 namespace scree {
 
-namespace fs = std::filesystem;
-
-namespace {
-
-constexpr const char* frames_folder = "frames";
-
-/// The number of the frame in a file name `series`[_lattice]_NNNNNN.vt?, if it is one.
-std::optional<std::size_t> frame_number(const std::string& file, const std::string& series) {
-  const std::size_t dot = file.rfind('.');
-  const std::size_t underscore = file.rfind('_', dot);
-  if (!file.starts_with(series + "_") || dot == std::string::npos) return std::nullopt;
-  if (file.substr(dot) != ".vtu" && file.substr(dot) != ".vti") return std::nullopt;
-  std::size_t number = 0;
-  const char* end = file.data() + dot;
-  const auto result = std::from_chars(file.data() + underscore + 1, end, number);
-  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
-  return number;
-}
-
-}  // namespace
-
-FrameSeries::FrameSeries(fs::path run_folder, std::string name, FramePrecision precision)
-    : folder_(std::move(run_folder)), name_(std::move(name)), precision_(precision) {}
-
-void FrameSeries::add(const ParticleSnapshot& snapshot) {
-  const std::string file = fmt::format("{}/{}_{:06}.vtu", frames_folder, name_, times_.size());
-  write_particle_frame(folder_ / file, snapshot, precision_);
-  times_.push_back(snapshot.time);
-  files_.push_back({file});
-  write_collection();
-}
-
-void FrameSeries::add(const std::vector<GridSnapshot>& lattices) {
-  if (lattices.empty()) return;
-  std::vector<std::string> files;
-  for (const GridSnapshot& lattice : lattices) {
-    const std::string infix = lattice.lattice == "nodes" ? "" : lattice.lattice + "_";
-    files.push_back(fmt::format("{}/{}_{}{:06}.vti", frames_folder, name_, infix, times_.size()));
-    write_grid_frame(folder_ / files.back(), lattice, precision_);
+std::unique_ptr<FrameSeries> make_frame_series(const std::filesystem::path& run_folder,
+                                               const std::string& name, const OutputSpec& spec,
+                                               std::size_t expected) {
+  if (spec.format == FrameFormat::xdmf) {
+    return std::make_unique<XdmfSeries>(run_folder, name, spec.precision,
+                                        spec.compression == FrameCompression::deflate, expected);
   }
-  times_.push_back(lattices.front().time);
-  files_.push_back(std::move(files));
-  write_collection();
-}
-
-void FrameSeries::resume(const std::vector<double>& times) {
-  std::vector<std::vector<std::string>> found(times.size());
-  std::vector<fs::path> later;
-  for (const auto& entry : fs::directory_iterator(folder_ / frames_folder)) {
-    const std::string file = entry.path().filename().string();
-    const std::optional<std::size_t> number = frame_number(file, name_);
-    if (file.starts_with(name_ + "_") && file.ends_with(".tmp")) later.push_back(entry.path());
-    if (!number) continue;
-    if (*number < times.size()) {
-      found[*number].push_back(std::string(frames_folder) + "/" + file);
-    } else {
-      later.push_back(entry.path());
-    }
-  }
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].empty()) {
-      throw RunFault(fmt::format("cannot continue: frame {} of {} is missing in {}", i, name_,
-                                 (folder_ / frames_folder).string()));
-    }
-    std::sort(found[i].begin(), found[i].end());  // "minus" before "plus", as they are written
-  }
-  times_ = times;
-  files_ = std::move(found);
-  // First the collection, then the files: it never names a file that is not there.
-  if (!times_.empty() || !later.empty()) write_collection();
-  for (const fs::path& file : later) fs::remove(file);
-}
-
-std::string FrameSeries::last_file() const {
-  return files_.empty() ? std::string() : files_.back().front();
-}
-
-void FrameSeries::write_collection() const {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-      "  <Collection>\n";
-  for (std::size_t i = 0; i < times_.size(); ++i) {
-    for (std::size_t part = 0; part < files_[i].size(); ++part) {
-      text += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", times_[i],
-                          part, files_[i][part]);
-    }
-  }
-  text += "  </Collection>\n</VTKFile>\n";
-  replace_file(folder_ / (name_ + ".pvd"), text);
+  return std::make_unique<VtkSeries>(run_folder, name, spec.precision);
 }
 
 }  // namespace scree

@@ -1,45 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "solver/io/vtk_frame.hpp"
+#include "solver/io/output_spec.hpp"
+#include "solver/io/snapshot.hpp"
+#include "solver/io/state_archive.hpp"
 
 namespace scree {
 
-/// A numbered series of frames in a run folder and the collection file that lists them with their
-/// times. A frame is complete before the collection names it, and the collection is replaced in
-/// one piece, so both are readable at any moment.
+/// A numbered series of frames in a run folder and the index that lists them with their times. A
+/// frame is complete before the index names it, and the index is replaced in one piece, so both are
+/// readable at any moment.
 class FrameSeries {
  public:
-  /// The series `name`.pvd + frames/`name`_NNNNNN.*; the folder frames/ must exist.
-  FrameSeries(std::filesystem::path run_folder, std::string name, FramePrecision precision);
+  virtual ~FrameSeries() = default;
 
-  /// Writes particles_NNNNNN.vtu and the collection. Throws RunFault.
-  void add(const ParticleSnapshot& snapshot);
+  /// Writes a frame of particles and the index. Throws RunFault.
+  virtual void add(const ParticleSnapshot& snapshot) = 0;
 
-  /// Writes one .vti a lattice and the collection; two lattices are two parts of one time. A
-  /// single lattice named "nodes" is `name`_NNNNNN.vti, others `name`_<lattice>_NNNNNN.vti.
-  void add(const std::vector<GridSnapshot>& lattices);
+  /// Writes a frame of one or more lattices, all of one time, and the index; no lattice, no frame.
+  /// Throws RunFault.
+  virtual void add(const std::vector<GridSnapshot>& lattices) = 0;
 
-  /// Goes on after the frames at `times`: removes later ones from folder and collection. Throws
-  /// RunFault if one of the frames to keep is missing.
-  void resume(const std::vector<double>& times);
+  /// For resume(): what the series consists of now, under names that begin with `prefix`.
+  virtual void save(StateWriter& writer, const std::string& prefix) const = 0;
+
+  /// Goes on after the frames there were at save(): removes later ones from folder and index.
+  /// Throws RunFault if one of the frames to keep is missing.
+  virtual void resume(const StateReader& reader, const std::string& prefix) = 0;
 
   const std::vector<double>& times() const { return times_; }  ///< s, of the frames written
-  std::string last_file() const;  ///< relative to the run folder, "" before the first frame
+  /// Where the last frame is, relative to the run folder; "" before the first frame.
+  virtual std::string last_file() const = 0;
 
- private:
-  void write_collection() const;
-
-  std::filesystem::path folder_;
-  std::string name_;
-  FramePrecision precision_;
+ protected:
   std::vector<double> times_;
-  std::vector<std::vector<std::string>> files_;  ///< a frame: its parts, relative to the folder
 };
+
+/// The series `name` in the format of `spec` (not none), for about `expected` frames.
+std::unique_ptr<FrameSeries> make_frame_series(const std::filesystem::path& run_folder,
+                                               const std::string& name, const OutputSpec& spec,
+                                               std::size_t expected);
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/io/file_descriptor.hpp"
+#include "solver/io/csv_writer.hpp"
 #include "solver/io/snapshot.hpp"
 
 namespace scree {
@@ -36,11 +36,9 @@ class HistoryWriter {
   void sync();
 
  private:
-  HistoryWriter(std::filesystem::path path, FileDescriptor file, std::size_t collider_count);
-  void append(const std::string& line);
+  HistoryWriter(CsvWriter file, std::size_t collider_count);
 
-  std::filesystem::path path_;
-  FileDescriptor file_;
+  CsvWriter file_;
   std::size_t collider_count_ = 0;
 };
 

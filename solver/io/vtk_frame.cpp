@@ -34,21 +34,13 @@
 
 #include "solver/base/error.hpp"
 #include "solver/io/durable_file.hpp"
+#include "solver/io/to_float.hpp"
 
 namespace scree {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Nearest float; beyond its range infinity, chosen by comparison because the conversion itself
-/// would raise an overflow, which debug builds trap.
-float to_float(double value) {
-  constexpr double limit = std::numeric_limits<float>::max();
-  if (value > limit) return std::numeric_limits<float>::infinity();
-  if (value < -limit) return -std::numeric_limits<float>::infinity();
-  return static_cast<float>(value);
-}
 
 vtkSmartPointer<vtkDataArray> floating_array(const double* values, std::size_t count,
                                              int components, FramePrecision precision) {

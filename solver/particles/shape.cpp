@@ -7,6 +7,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/particles/shape_combination.hpp"
+#include "solver/particles/shape_file.hpp"
 #include "solver/particles/shape_polygon.hpp"
 #include "solver/particles/shape_primitives.hpp"
 
@@ -130,6 +131,9 @@ std::optional<ShapeProblem> find_problem(const ShapeSpec& spec, int dimension) {
       if (vanishes(spec.normal, dimension))
         return ShapeProblem{"normal", "the normal of a plane must not be zero"};
       return std::nullopt;
+    case ShapeKind::mesh:
+    case ShapeKind::heightmap:
+      return find_file_problem(spec, dimension);
     case ShapeKind::union_of:
     case ShapeKind::difference:
     case ShapeKind::intersection:
@@ -152,6 +156,9 @@ std::unique_ptr<Shape> make_shape(const ShapeSpec& spec, int dimension) {
       return std::make_unique<PolygonShape>(spec.points, spec.z, dimension);
     case ShapeKind::plane:
       return std::make_unique<PlaneShape>(spec.point, spec.normal, dimension);
+    case ShapeKind::mesh:
+    case ShapeKind::heightmap:
+      return make_file_shape(spec, dimension);
     case ShapeKind::union_of:
       return std::make_unique<UnionShape>(make_parts(spec, dimension), dimension);
     case ShapeKind::difference:

@@ -29,13 +29,15 @@ class Shape {
   Shape(const Shape&) = delete;
   Shape& operator=(const Shape&) = delete;
 
-  /// Distance to the surface, m, negative inside. Exact for box, sphere, cylinder, polygon and
-  /// plane. For combinations it has the right sign everywhere and vanishes on the surface; its size
-  /// is a lower bound of the distance (min and max of the parts).
+  /// Distance to the surface, m, negative inside. Exact for box, sphere, cylinder, polygon,
+  /// plane and mesh. For heightmaps and combinations it has the right sign everywhere and vanishes
+  /// on the surface; its size is a lower bound of the distance (combinations: min and max of the
+  /// parts).
   virtual double signed_distance(const double x[3]) const = 0;
 
   /// Unit vector out of the solid along the gradient of the signed distance. Where the gradient is
-  /// not unique (edges, corners, centres, axes) one of its limits is returned, always the same.
+  /// not unique (edges, corners, centres, axes) one of its limits is returned, always the same (at
+  /// edges and corners of a mesh a mean of them). A heightmap gives the normal of its terrain.
   virtual void normal(const double x[3], double n[3]) const = 0;
 
   /// A box that holds the solid, m: tight, except that a difference keeps its first part's box and
@@ -47,7 +49,10 @@ class Shape {
   virtual std::array<double, 3> reference_point() const;
 
   /// True strictly inside.
-  bool inside(const double x[3]) const { return signed_distance(x) < 0; }
+  virtual bool inside(const double x[3]) const { return signed_distance(x) < 0; }
+
+  /// True if a question takes microseconds: a caller that asks often should keep the answers.
+  virtual bool costly() const { return false; }
 
   int dimension() const { return dimension_; }
 

@@ -24,6 +24,10 @@ std::size_t extreme_part(const ShapeList& parts, const double x[3], double sign,
 
 }  // namespace
 
+bool any_costly(const ShapeList& parts) {
+  return std::any_of(parts.begin(), parts.end(), [](const auto& part) { return part->costly(); });
+}
+
 UnionShape::UnionShape(ShapeList parts, int dimension)
     : Shape(dimension), parts_(std::move(parts)) {}
 
@@ -31,6 +35,11 @@ double UnionShape::signed_distance(const double x[3]) const {
   double distance;
   extreme_part(parts_, x, 1, distance);
   return distance;
+}
+
+bool UnionShape::inside(const double x[3]) const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [&](const auto& part) { return part->inside(x); });
 }
 
 void UnionShape::normal(const double x[3], double n[3]) const {
@@ -57,6 +66,11 @@ double IntersectionShape::signed_distance(const double x[3]) const {
   double distance;
   extreme_part(parts_, x, -1, distance);
   return distance;
+}
+
+bool IntersectionShape::inside(const double x[3]) const {
+  return std::all_of(parts_.begin(), parts_.end(),
+                     [&](const auto& part) { return part->inside(x); });
 }
 
 void IntersectionShape::normal(const double x[3], double n[3]) const {
@@ -90,6 +104,13 @@ double DifferenceShape::signed_distance(const double x[3]) const {
   double distance = side(0, x);
   for (std::size_t i = 1; i < parts_.size(); ++i) distance = std::max(distance, side(i, x));
   return distance;
+}
+
+bool DifferenceShape::inside(const double x[3]) const {
+  // The surface of the other parts is theirs: not being inside of them is not enough.
+  return parts_[0]->inside(x) &&
+         std::all_of(parts_.begin() + 1, parts_.end(),
+                     [&](const auto& part) { return part->signed_distance(x) > 0; });
 }
 
 void DifferenceShape::normal(const double x[3], double n[3]) const {

@@ -10,10 +10,15 @@ namespace scree {
 
 using ShapeList = std::vector<std::unique_ptr<Shape>>;
 
+/// True if one of them is.
+bool any_costly(const ShapeList& parts);
+
 /// All points of any part.
 class UnionShape final : public Shape {
  public:
   UnionShape(ShapeList parts, int dimension);
+  bool inside(const double x[3]) const override;
+  bool costly() const override { return any_costly(parts_); }
   double signed_distance(const double x[3]) const override;
   void normal(const double x[3], double n[3]) const override;
   Box bounds() const override;
@@ -26,6 +31,8 @@ class UnionShape final : public Shape {
 class IntersectionShape final : public Shape {
  public:
   IntersectionShape(ShapeList parts, int dimension);
+  bool inside(const double x[3]) const override;
+  bool costly() const override { return any_costly(parts_); }
   double signed_distance(const double x[3]) const override;
   void normal(const double x[3], double n[3]) const override;
   Box bounds() const override;
@@ -38,6 +45,8 @@ class IntersectionShape final : public Shape {
 class DifferenceShape final : public Shape {
  public:
   DifferenceShape(ShapeList parts, int dimension);
+  bool inside(const double x[3]) const override;
+  bool costly() const override { return any_costly(parts_); }
   double signed_distance(const double x[3]) const override;
   void normal(const double x[3], double n[3]) const override;
   Box bounds() const override { return parts_.front()->bounds(); }

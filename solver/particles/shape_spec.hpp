@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,8 @@ enum class ShapeKind {
   cylinder,
   polygon,
   plane,
+  mesh,
+  heightmap,
   union_of,
   difference,
   intersection,
@@ -32,11 +35,19 @@ inline const std::vector<std::pair<std::string, ShapeKind>>& shape_kind_names() 
       {"cylinder", ShapeKind::cylinder},
       {"polygon", ShapeKind::polygon},
       {"plane", ShapeKind::plane},
+      {"mesh", ShapeKind::mesh},
+      {"heightmap", ShapeKind::heightmap},
       {"union", ShapeKind::union_of},
       {"difference", ShapeKind::difference},
       {"intersection", ShapeKind::intersection}};
   return names;
 }
+
+/// `rotate` of a mesh.
+struct RotationSpec {
+  std::array<double, 3> axis{0, 0, 1};  ///< through the file's origin, any length > 0
+  double angle = 0;                     ///< rad, right-handed
+};
 
 /// A shape as the deck states it, lengths in metres. One flat table: which members count depends on
 /// `kind`; the others keep their initial value. Vectors have `dimension` entries in the deck and
@@ -59,9 +70,23 @@ struct ShapeSpec {
   std::array<double, 3> point{};   ///< plane: any point of it
   std::array<double, 3> normal{};  ///< plane: out of the solid side, any length > 0
 
+  std::string file;                    ///< mesh, heightmap: an absolute path
+  std::string region;                  ///< mesh: a part of the file; empty: all of it
+  double scale = 1;                    ///< mesh, heightmap: m per unit of the file, > 0
+  std::optional<RotationSpec> rotate;  ///< mesh: after scaling
+  std::array<double, 3> translate{};   ///< mesh, heightmap: after scaling and turning, m
+  std::array<double, 3> extrude{};     ///< mesh: makes an open sheet a solid, m; zero: closed
+
+  double base = 0;                ///< heightmap: height of the flat bottom, m
+  std::optional<double> no_data;  ///< heightmap: in place of missing heights, in the file's unit
+  /// heightmap in 2D: two points of the map, in the file's unit; empty: the only row
+  std::vector<std::array<double, 2>> section;
+
   /// union, intersection: two or more shapes; difference: the first less all the others.
   std::vector<ShapeSpec> of;
 };
+
+const Schema<RotationSpec>& rotation_schema();
 
 /// The keys of a shape; combinations nest in themselves.
 const Schema<ShapeSpec>& shape_schema();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solver/particles/shape_file.hpp"
 #include "solver/particles/shape_polygon.hpp"
 
 namespace scree {
@@ -38,6 +39,9 @@ std::optional<double> exact_volume(const ShapeSpec& spec, int dimension) {
       return cylinder_volume(spec, dimension);
     case ShapeKind::polygon:
       return std::abs(signed_area(spec.points)) * (dimension == 3 ? spec.z[1] - spec.z[0] : 1);
+    case ShapeKind::mesh:
+    case ShapeKind::heightmap:
+      return file_shape_volume(spec, dimension);
     default:
       return std::nullopt;
   }

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-/// The volume of a box, sphere, cylinder or polygon, m^3; in 2D the area, m^2. Nothing for a plane
-/// and for combinations, which have no simple formula.
+/// The volume of a box, sphere, cylinder, polygon, mesh or heightmap, m^3; in 2D the area, m^2.
+/// Nothing for a plane and for combinations, which have no simple formula.
 std::optional<double> exact_volume(const ShapeSpec& spec, int dimension);
 
 }  // namespace scree

@@ -99,6 +99,10 @@ struct StepTraffic {
 /// Wall-clock seconds spent in the phases of all steps so far.
 using PhaseTimes = std::vector<std::pair<std::string, double>>;
 
+/// Which particles a snapshot is of: their number and present position [m]. Asked by several
+/// threads at once. Empty: all.
+using ParticleFilter = std::function<bool(std::int64_t id, const double* position)>;
+
 /// A run in memory: owns particles and grid and advances them in time; no files.
 ///
 /// Results are bitwise the same for any number of threads, and after save/load.
@@ -121,10 +125,13 @@ class Simulation {
 
   // Valid when the schedule says that history or a frame is due at time().
   virtual HistoryRow history() const = 0;
-  /// Named fields: velocity, stress, pressure, mass, volume, displacement and material history. The
-  /// snapshot's own id, material and body may be named too, and add nothing. Throws UserError for
-  /// other names.
-  virtual ParticleSnapshot particles(const std::vector<std::string>& fields) const = 0;
+  /// Named fields: those of particle_fields() and material history. The snapshot's own id, material
+  /// and body may be named too, and add nothing. Throws UserError for other names.
+  ParticleSnapshot particles(const std::vector<std::string>& fields) const {
+    return particles(fields, {});
+  }
+  virtual ParticleSnapshot particles(const std::vector<std::string>& fields,
+                                     const ParticleFilter& filter) const = 0;
   /// The node velocities and masses of the last step, one snapshot a lattice.
   virtual std::vector<GridSnapshot> grid() const = 0;
 

@@ -18,6 +18,7 @@
 namespace scree {
 
 struct FieldSource;
+class MaterialPoint;
 
 enum class Phase { binning, grid, particles, stress, external, count };
 
@@ -38,7 +39,9 @@ class SimulationImpl final : public Simulation {
   bool fused() const override { return fused_; }
   StepLimit step_limit() const override;
   HistoryRow history() const override;
-  ParticleSnapshot particles(const std::vector<std::string>& fields) const override;
+  using Simulation::particles;
+  ParticleSnapshot particles(const std::vector<std::string>& fields,
+                             const ParticleFilter& filter) const override;
   std::vector<GridSnapshot> grid() const override;
   void save(StateWriter& writer) const override;
   void load(const StateReader& reader) override;
@@ -94,7 +97,11 @@ class SimulationImpl final : public Simulation {
   std::array<double, 3> position_of(std::uint64_t key, const T* batch, int lane) const;
   void write_row(const ParticleView& particle, const State& state,
                  const std::vector<FieldSource>& sources, std::size_t row,
-                 ParticleSnapshot& out) const;
+                 std::unique_ptr<MaterialPoint>& point, ParticleSnapshot& out) const;
+  std::vector<std::int64_t> choose(const ParticleFilter& filter) const;
+  double yield_distance(const ParticleView& particle, const State& state,
+                        std::unique_ptr<MaterialPoint>& point) const;
+  void write_strain_rate(const ParticleView& particle, const State& state, double* out) const;
   void fill_lattice(const GridSnapshot& snapshot, int lattice, std::vector<double>& mass,
                     std::vector<double>& velocity) const;
 

@@ -1,91 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "materials/material_point.hpp"
+#include "materials/registry.hpp"
 #include "solver/base/error.hpp"
+#include "solver/simulation/particle_values.hpp"
 #include "solver/simulation/particle_view.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 #include "solver/simulation/visit_block.hpp"
+#include "solver/transfer/compact.hpp"
+#include "solver/transfer/quadratic.hpp"
 
 namespace scree {
-namespace {
-
-/// Where the components of a 3x3 tensor, row-major, lie among xx, xy, xz, yy, yz, zz. Viewers order
-/// six components otherwise, so all tensors go out whole.
-constexpr int sym_index[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
-
-}  // namespace
-
-enum class FieldQuantity {
-  velocity,
-  stress,
-  effective_stress,
-  pressure,
-  mass,
-  volume,
-  displacement,
-  state
-};
 
 /// Where a field's values come from.
 struct FieldSource {
   FieldQuantity quantity = FieldQuantity::state;
-  std::vector<int> first;  ///< state: per body, first entry of the column; -1 = the body has none
-  bool symmetric = false;  ///< state: six entries that go out as nine components
+  /// Of the material's state: per body, first entry of the column; -1 = the body has none.
+  std::vector<int> first;
+  bool symmetric = false;  ///< six entries that go out as nine components
 };
 
 namespace {
 
-struct BuiltInField {
-  const char* name;
-  const char* unit;
-  int components;
-  FieldQuantity quantity;
-};
-
-constexpr BuiltInField built_in_fields[] = {
-    {"velocity", "m/s", 3, FieldQuantity::velocity},
-    {"stress", "Pa", 9, FieldQuantity::stress},
-    {"effective_stress", "Pa", 9, FieldQuantity::effective_stress},
-    {"pressure", "Pa", 1, FieldQuantity::pressure},
-    {"mass", "kg", 1, FieldQuantity::mass},
-    {"volume", "m^3", 1, FieldQuantity::volume},
-    {"displacement", "m", 3, FieldQuantity::displacement},
-};
-
-/// Cauchy stress is Kirchhoff stress over J, total where there is pore water; pressure is that of
-/// the same stress, compression positive.
-void write_built_in(FieldQuantity quantity, const ParticleView& p, const BodyInfo& info,
-                    const double* reference, double* out) {
-  switch (quantity) {
-    case FieldQuantity::velocity:
-      std::copy(p.velocity.begin(), p.velocity.end(), out);
-      return;
-    case FieldQuantity::stress:
-      for (int i = 0; i < 9; ++i) out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
-      return;
-    case FieldQuantity::effective_stress:
-      if (!p.pore_pressure) return;  // no pore water: stays NaN
-      for (int i = 0; i < 9; ++i) {
-        out[i] = p.kirchhoff[std::size_t(sym_index[i])] / p.volume_ratio;
-        if (i % 4 == 0) out[i] += *p.pore_pressure;
-      }
-      return;
-    case FieldQuantity::pressure:
-      out[0] = -(p.kirchhoff[0] + p.kirchhoff[3] + p.kirchhoff[5]) / (3 * p.volume_ratio);
-      return;
-    case FieldQuantity::mass:
-      out[0] = info.particle_mass();
-      return;
-    case FieldQuantity::volume:
-      out[0] = info.particle_volume * p.volume_ratio;
-      return;
-    case FieldQuantity::displacement:
-      for (int a = 0; a < 3; ++a) out[a] = p.position[std::size_t(a)] - reference[a];
-      return;
-    case FieldQuantity::state:
-      return;
+/// Finds the column `name` in each body's state. False if no body has it.
+template <int D, class T>
+bool find_column(const std::vector<BodyState<D, T>>& bodies, const std::string& name,
+                 FieldSource& source, SnapshotField& field) {
+  bool found = false;
+  for (const BodyState<D, T>& state : bodies) {
+    source.first.push_back(-1);
+    for (const StateColumn& column : state.body->columns()) {
+      if (column.name != name) continue;
+      found = true;
+      field.unit = column.unit;
+      source.symmetric = column.components == 6;
+      field.components = source.symmetric ? 9 : column.components;
+      source.first.back() = column.first;
+    }
   }
+  return found;
 }
 
 /// The field `name`, empty, and where its values come from. Throws UserError for an unknown name.
@@ -94,58 +50,34 @@ FieldSource find_field(const std::vector<BodyState<D, T>>& bodies, const std::st
                        SnapshotField& field) {
   FieldSource source;
   field.name = name;
-  for (const BuiltInField& known : built_in_fields) {
+  for (const ParticleField& known : particle_fields()) {
     if (name != known.name) continue;
+    source.quantity = known.quantity;
+    if (known.quantity == FieldQuantity::equivalent_plastic_shear_strain) {
+      find_column(bodies, "equivalent_plastic_strain", source, field);
+    }
     field.unit = known.unit;
     field.components = known.components;
-    source.quantity = known.quantity;
     return source;
   }
-  field.components = 0;
-  for (const BodyState<D, T>& state : bodies) {
-    source.first.push_back(-1);
-    for (const StateColumn& column : state.body->columns()) {
-      if (column.name != name) continue;
-      field.unit = column.unit;
-      source.symmetric = column.components == 6;
-      field.components = source.symmetric ? 9 : column.components;
-      source.first.back() = column.first;
-    }
-  }
-  if (field.components == 0) throw UserError("there is no output field \"" + name + "\"");
-  return source;
+  if (find_column(bodies, name, source, field)) return source;
+  throw UserError("there is no output field \"" + name + "\"");
 }
 
-/// f(id) for every living particle.
+/// f(id, body, block, batch, lane) for every living particle.
 template <int D, class T, class F>
-void each_id(const std::vector<BodyState<D, T>>& bodies, F&& f) {
+void each_particle(const std::vector<BodyState<D, T>>& bodies, F&& f) {
   constexpr int width = ParticleStore<D, T>::width;
   for (const BodyState<D, T>& state : bodies) {
     const ParticleStore<D, T>& store = state.body->store();
     for (const auto& block : store.blocks()) {
       for (int i = 0; i < block.count; ++i) {
-        const std::int64_t id = store.ids(block.batches[std::size_t(i / width)])[i % width];
-        if (id >= 0) f(id);
+        const std::int32_t batch = block.batches[std::size_t(i / width)];
+        const std::int64_t id = store.ids(batch)[i % width];
+        if (id >= 0) f(id, store, block.key, batch, i % width);
       }
     }
   }
-}
-
-/// Row of each id among the living particles, -1 for those that left; ids: those that live, in
-/// order. Ids are small numbers, so they are counted, not sorted.
-template <int D, class T>
-std::vector<std::int64_t> rows_by_id(const std::vector<BodyState<D, T>>& bodies,
-                                     std::vector<std::int64_t>& ids) {
-  std::int64_t last = -1;
-  each_id(bodies, [&](std::int64_t id) { last = std::max(last, id); });
-  std::vector<std::int64_t> rows(std::size_t(last + 1), -1);
-  each_id(bodies, [&](std::int64_t id) { rows[std::size_t(id)] = 0; });
-  for (std::size_t id = 0; id < rows.size(); ++id) {
-    if (rows[id] < 0) continue;
-    rows[id] = std::int64_t(ids.size());
-    ids.push_back(std::int64_t(id));
-  }
-  return rows;
 }
 
 /// What every snapshot holds by itself.
@@ -153,18 +85,52 @@ bool always_there(const std::string& name) {
   return name == "id" || name == "material" || name == "body";
 }
 
+/// Rows of the chosen ids in `rows` (-1: none, else anything), by rising id; ids: those chosen. Ids
+/// are small numbers, so they are counted, not sorted.
+std::vector<std::int64_t> number_rows(std::vector<std::int64_t>& rows) {
+  std::vector<std::int64_t> ids;
+  for (std::size_t id = 0; id < rows.size(); ++id) {
+    if (rows[id] < 0) continue;
+    rows[id] = std::int64_t(ids.size());
+    ids.push_back(std::int64_t(id));
+  }
+  return ids;
+}
+
+/// M D^-1 of a kernel for a particle at u [cells].
+template <class Kernel, int D>
+void times_inverse_moment(const double (&u)[D], const double (&m)[D][D], double (&out)[D][D]) {
+  Kernel::template times_inverse_moment<double, D>(Kernel::template at<double, D>(u), m, out);
+}
+
 }  // namespace
+
+/// Row of each id among the living particles that the filter takes, -1 for all others.
+template <int D, class T>
+std::vector<std::int64_t> SimulationImpl<D, T>::choose(const ParticleFilter& filter) const {
+  std::int64_t last = -1;
+  each_particle(bodies_, [&](std::int64_t id, const auto&...) { last = std::max(last, id); });
+  std::vector<std::int64_t> rows(std::size_t(last + 1), -1);
+  each_particle(bodies_, [&](std::int64_t id, const auto& store, std::uint64_t key,
+                             std::int32_t batch, int lane) {
+    if (filter && !filter(id, position_of(key, store.batch(batch), lane).data())) return;
+    rows[std::size_t(id)] = 0;
+  });
+  return rows;
+}
 
 /// A body whose material lacks a field gets NaN there: nothing is made up for it.
 template <int D, class T>
-ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>& fields) const {
+ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>& fields,
+                                                 const ParticleFilter& filter) const {
   require_record("particles");
   backend_->give_particles();
   ParticleSnapshot out;
   out.time = clock_.time;
   out.step = step_;
   out.dimension = D;
-  const std::vector<std::int64_t> rows = rows_by_id(bodies_, out.id);
+  std::vector<std::int64_t> rows = choose(filter);
+  out.id = number_rows(rows);
   const std::size_t n = out.id.size();
   out.position.resize(3 * n);
   out.material.resize(n);
@@ -178,12 +144,16 @@ ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>&
                                     std::numeric_limits<double>::quiet_NaN());
   }
   for (const State& state : bodies_) {
-    const auto write = [&](const ParticleView& view) {
-      write_row(view, state, sources, std::size_t(rows[std::size_t(view.id)]), out);
-    };
     executor_.pool().for_each(
         std::int64_t(state.body->store().blocks().size()),
-        [&](std::int64_t b, int) { visit_block(state, std::size_t(b), write); }, 4);
+        [&](std::int64_t b, int) {
+          std::unique_ptr<MaterialPoint> point;  // one law at a time: it holds a state
+          visit_block(state, std::size_t(b), [&](const ParticleView& view) {
+            const std::int64_t row = rows[std::size_t(view.id)];
+            if (row >= 0) write_row(view, state, sources, std::size_t(row), point, out);
+          });
+        },
+        4);
   }
   return out;
 }
@@ -192,6 +162,7 @@ ParticleSnapshot SimulationImpl<D, T>::particles(const std::vector<std::string>&
 template <int D, class T>
 void SimulationImpl<D, T>::write_row(const ParticleView& particle, const State& state,
                                      const std::vector<FieldSource>& sources, std::size_t row,
+                                     std::unique_ptr<MaterialPoint>& point,
                                      ParticleSnapshot& out) const {
   const BodyInfo& info = state.body->info();
   std::copy(particle.position.begin(), particle.position.end(), &out.position[3 * row]);
@@ -204,14 +175,76 @@ void SimulationImpl<D, T>::write_row(const ParticleView& particle, const State& 
     const FieldSource& source = sources[f];
     const std::size_t components = std::size_t(out.fields[f].components);
     double* value = &out.fields[f].values[row * components];
-    write_built_in(source.quantity, particle, info, reference, value);
-    if (source.quantity != FieldQuantity::state) continue;
-    const int first = source.first[std::size_t(info.body_index)];
+    write_quantity(source.quantity, particle, info, reference, value);
+    if (source.quantity == FieldQuantity::strain_rate) write_strain_rate(particle, state, value);
+    if (source.quantity == FieldQuantity::yield_distance) {
+      value[0] = yield_distance(particle, state, point);
+    }
+    const int first = source.first.empty() ? -1 : source.first[std::size_t(info.body_index)];
     if (first < 0) continue;
     for (std::size_t c = 0; c < components; ++c) {
       const int entry = first + (source.symmetric ? sym_index[c] : int(c));
       value[c] = double(record[std::size_t(D + entry) * ParticleStore<D, T>::width]);
     }
+  }
+}
+
+/// Minus the yield function of the particle's law; NaN where it has none. `point` is made once.
+template <int D, class T>
+double SimulationImpl<D, T>::yield_distance(const ParticleView& particle, const State& state,
+                                            std::unique_ptr<MaterialPoint>& point) const {
+  const BodyInfo& info = state.body->info();
+  if (!point) {
+    const std::any& input = setup_.bodies[std::size_t(info.body_index)].input;
+    point = make_material_point(info.model, input, info.density, D);
+  }
+  std::size_t count = 0;
+  for (const StateField& field : find_material_model(info.model)->fields) {
+    count += std::size_t(field.components);
+  }
+  std::vector<double> entries(count);
+  const T* record = state.body->store().batch(particle.batch) + particle.lane;
+  for (std::size_t e = 0; e < count; ++e) {
+    entries[e] = double(record[(std::size_t(D) + e) * ParticleStore<D, T>::width]);
+  }
+  point->set_entries(entries);
+  const std::optional<double> value = point->yield_value();
+  return value ? -*value : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// The symmetric part of the velocity gradient of the last step: stored by the split path, else the
+/// affine matrix over its moment where the particle was gathered, before it moved.
+template <int D, class T>
+void SimulationImpl<D, T>::write_strain_rate(const ParticleView& particle, const State& state,
+                                             double* out) const {
+  double gradient[D][D];
+  if (layout_.increment >= 0 && step_ > 0) {
+    const T* aux = state.body->store().aux_batch(particle.batch) + particle.lane;
+    for (int k = 0; k < D * D; ++k) {
+      const T* entry = aux + std::size_t(layout_.increment + k) * ParticleStore<D, T>::width;
+      gradient[k / D][k % D] = double(*entry) / clock_.last_dt;
+    }
+  } else if (setup_.transfer == TransferType::mls) {
+    const double h = setup_.cell_size;
+    double u[D], affine[D][D];
+    for (int a = 0; a < D; ++a) {
+      const std::size_t k = std::size_t(a);
+      const double moved = step_ > 0 ? clock_.last_dt * particle.velocity[k] : 0;
+      u[a] = (particle.position[k] - moved - setup_.lower[k]) / h;
+      u[a] -= std::floor(u[a]);  // the moment is the same in every cell
+      for (int c = 0; c < D; ++c) affine[c][a] = particle.affine[c][a] / (h * h);
+    }
+    if (setup_.kernel == KernelType::compact) {
+      times_inverse_moment<Compact, D>(u, affine, gradient);
+    } else {
+      times_inverse_moment<Quadratic, D>(u, affine, gradient);
+    }
+  } else {
+    return;
+  }
+  std::fill_n(out, 9, 0.0);
+  for (int c = 0; c < D; ++c) {
+    for (int a = 0; a < D; ++a) out[3 * c + a] = 0.5 * (gradient[c][a] + gradient[a][c]);
   }
 }
 

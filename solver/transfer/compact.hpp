@@ -90,7 +90,7 @@ struct Compact {
       node[1][a] = select(upper, cell + T(1), cell);  // arena of lattice 1 starts one node lower
       const V d = T(0.1875) - q - T(0.5) * magnitude;
       p.sine[a] = s;
-      p.inverse_diagonal[a] = T(1) / (d - s * s);
+      p.inverse_diagonal[a] = rcp(d - s * s);
       p.quarter_offset[a] = h;
       p.upper_half[a] = upper;
     }
@@ -122,12 +122,12 @@ struct Compact {
     V denominator = broadcast<V>(T(1));
     for (int a = 0; a < D; ++a) {
       t[a] = p.sine[a] * p.inverse_diagonal[a];
-      denominator = fma(p.sine[a], t[a], denominator);
+      denominator = mul_add(p.sine[a], t[a], denominator);
     }
-    const V scale = T(1) / denominator;
+    const V scale = rcp(denominator);
     for (int r = 0; r < D; ++r) {
       V projection = m[r][0] * t[0];
-      for (int a = 1; a < D; ++a) projection = fma(m[r][a], t[a], projection);
+      for (int a = 1; a < D; ++a) projection = mul_add(m[r][a], t[a], projection);
       projection = projection * scale;
       for (int a = 0; a < D; ++a) {
         out[r][a] = m[r][a] * p.inverse_diagonal[a] - projection * t[a];

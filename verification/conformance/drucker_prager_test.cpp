@@ -43,8 +43,7 @@ double cone_of(const Params& p) { return p.cone * 2 * p.mu / (3 * p.lambda + 2 *
 
 TEST(DruckerPragerTest, ListedReturnOnTheOuterCone) {
   const Params p = sand(30 * degree, Match::compression);
-  EXPECT_NEAR(cone_of(p), std::sqrt(2.0 / 3.0) * 2 * 0.5 / (3 - 0.5),
-              1e-15);  // Klar et al., eq. 29
+  EXPECT_NEAR(cone_of(p), std::sqrt(2.0 / 3.0) * 2 * 0.5 / (3 - 0.5), 1e-15);
   State s = strained(0, 0, 0);
   const Sym3<double> tau = stretch(p, s, -0.02, 0.006, 0.004);
   // Return by hand: e' = e - dg ehat/|ehat|, dg = |ehat| + (3 lambda + 2 mu)/(2 mu) tr(e) alpha.

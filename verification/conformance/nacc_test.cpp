@@ -30,7 +30,7 @@ struct Returned {
   double alpha;
 };
 
-/// The paper's return in principal stretches, written from section 4.2 independently of the law.
+/// The paper's return in principal stretches, written independently of the law.
 Returned paper_return(Vector3d S, double alpha) {
   const double J = S.prod(), p0 = p0_of(alpha), p_min = -kBeta * p0;
   const Vector3d B = S.array().square();

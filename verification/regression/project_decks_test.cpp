@@ -22,7 +22,7 @@ std::vector<fs::path> decks() {
   return paths;
 }
 
-class ProjectDecks : public testing::TestWithParam<fs::path> {
+class ProjectDecks : public ::testing::TestWithParam<fs::path> {
  protected:
   /// A deck that comes with a small twin has millions of particles: one a cell instead.
   std::vector<std::string> thinned() const {
@@ -54,11 +54,11 @@ TEST_P(ProjectDecks, RunsItsFirstSteps) {
   EXPECT_NE(read_text(fs::path(run) / "run.json").find("\"steps\": 2,"), std::string::npos);
 }
 
-std::string test_name(const testing::TestParamInfo<fs::path>& info) {
+std::string test_name(const ::testing::TestParamInfo<fs::path>& info) {
   return info.param.parent_path().filename().string() + "_" + info.param.stem().string();
 }
 
-INSTANTIATE_TEST_SUITE_P(Inputs, ProjectDecks, testing::ValuesIn(decks()), test_name);
+INSTANTIATE_TEST_SUITE_P(Inputs, ProjectDecks, ::testing::ValuesIn(decks()), test_name);
 
 TEST(RunWarnings, AreGivenAtTheStartUnlessQuiet) {
   const TemporaryFolder folder;

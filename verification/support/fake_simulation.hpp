@@ -52,17 +52,23 @@ class FakeSimulation : public Simulation {
     for (double x : x_) row.kinetic_energy += x;
     return row;
   }
-  ParticleSnapshot particles(const std::vector<std::string>& fields) const override {
+  using Simulation::particles;
+  ParticleSnapshot particles(const std::vector<std::string>& fields,
+                             const ParticleFilter& filter) const override {
     ParticleSnapshot snapshot;
     snapshot.time = time_;
     snapshot.step = steps_;
+    std::vector<double> kept;
     for (std::size_t p = 0; p < x_.size(); ++p) {
-      snapshot.position.insert(snapshot.position.end(), {x_[p], 1.0, 0.0});
+      const double position[3] = {x_[p], 1.0, 0.0};
+      if (filter && !filter(static_cast<std::int64_t>(p), position)) continue;
+      kept.push_back(x_[p]);
+      snapshot.position.insert(snapshot.position.end(), position, position + 3);
       snapshot.id.push_back(static_cast<std::int64_t>(p));
       snapshot.material.push_back(0);
       snapshot.body.push_back(0);
     }
-    for (const std::string& field : fields) snapshot.fields.push_back({field, "", 1, x_});
+    for (const std::string& field : fields) snapshot.fields.push_back({field, "", 1, kept});
     return snapshot;
   }
   std::vector<GridSnapshot> grid() const override {

@@ -152,7 +152,7 @@ TYPED_TEST(KernelTest, equals_the_reference_in_three_dimensions) {
 
 TYPED_TEST(KernelTest, partition_of_unity_and_first_moment_to_the_last_bit) {
   testing::Random random(49);
-  for (int count = 0; count < testing::effort(20000); ++count) {
+  for (int count = 0; count < testing::effort(100000); ++count) {
     const double u[2] = {random.uniform(0, 4.5), random.uniform(0, 4.5)};
     const auto point = TypeParam::template at<double, 2>(u);
     double first[2] = {0, 0};

@@ -59,6 +59,7 @@ void check_cost(const Json& cost, int threads) {
   EXPECT_GT(cost.at("particles").get<int>(), 0);
   EXPECT_GT(cost.at("steps").get<int>(), 0);
   EXPECT_GT(cost.at("bytes_per_particle").get<double>(), 0);
+  EXPECT_GE(cost.at("busy").get<double>(), 0);
 }
 
 double bandwidth_of(int threads) {
@@ -74,10 +75,10 @@ TEST(BenchSuite, TableHasEveryCombinationOnce) {
   for (const Json& row : suite().at("table")) {
     const int threads = row.at("threads");
     seen.insert(row.at("case").get<std::string>() + row.at("precision").get<std::string>() +
-                std::to_string(threads));
+                std::to_string(threads) + "in" + std::to_string(row.at("dimension").get<int>()));
     for (const char* kernel : {"compact", "quadratic"}) check_cost(row.at(kernel), threads);
   }
-  EXPECT_EQ(seen.size(), 3u * 2u * 2u);  // cases, precisions, numbers of threads
+  EXPECT_EQ(seen.size(), 3u * 2u * 2u * 2u);  // cases, dimensions, precisions, threads
   EXPECT_EQ(suite().at("table").size(), seen.size());
 }
 
@@ -214,6 +215,35 @@ TEST(BenchSuite, BestIsTheLeastAndTheMedianLiesInTheMiddle) {
   EXPECT_EQ(best_and_median({3, 1, 2}).best, 1);
   EXPECT_EQ(best_and_median({3, 1, 2}).median, 2);
   EXPECT_EQ(best_and_median({4, 1, 3, 2}).median, 2.5);
+}
+
+TEST(BenchSuite, BusyIsTheShareOfTheThreadsTime) {
+  const StepTime time{2.0, 3.0};
+  EXPECT_EQ(time.busy(1), 1.5);
+  EXPECT_EQ(time.busy(3), 0.5);
+}
+
+TEST(BenchSuite, CasesOfTwoDimensionsLieInAPlane) {
+  for (const char* name : {"elastic", "sand", "fluid"}) {
+    BenchOptions options;
+    options.case_name = name;
+    options.dimension = 2;
+    options.particles = 4000;
+    const SimulationSetup setup = build_bench_case(options);
+    EXPECT_EQ(setup.dimension, 2);
+    const auto count = double(setup.bodies[0].position.size() / 3);
+    EXPECT_NEAR(count, 4000, 400)
+        << name;  // whole cells of 4: about 32 an axis, half of one missing
+    double area = 0;
+    for (std::size_t p = 2; p < setup.bodies[0].position.size(); p += 3) {
+      EXPECT_EQ(setup.bodies[0].position[p], 0);
+      area += setup.bodies[0].particle_volume;
+    }
+    EXPECT_NEAR(area, count / 4 * setup.cell_size * setup.cell_size, 1e-9) << name;
+    const auto simulation = Simulation::create(build_bench_case(options));
+    simulation->step();
+    EXPECT_TRUE(simulation->fused());
+  }
 }
 
 /// One full block of single precision: the count can be written down.

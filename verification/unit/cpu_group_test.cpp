@@ -208,6 +208,20 @@ TYPED_TEST(CpuGroupTest, ScattersToTheNodesOfLiveLanes) {
   }
 }
 
+/// What both ways gather, lane by lane.
+template <class V, int D>
+void expect_equal_lanes(int lanes, const V (&velocity)[2][D], const V (&affine)[2][D][D],
+                        double tolerance) {
+  for (int l = 0; l < lanes; ++l) {
+    for (int c = 0; c < D; ++c) {
+      ASSERT_NEAR(lane(velocity[0][c], l), lane(velocity[1][c], l), tolerance);
+      for (int a = 0; a < D; ++a) {
+        ASSERT_NEAR(lane(affine[0][c][a], l), lane(affine[1][c][a], l), tolerance);
+      }
+    }
+  }
+}
+
 /// The transfers over all lattices at once against the same, lattice by lattice.
 TYPED_TEST(CpuGroupTest, AffineTransfersAreTheSumOverTheLattices) {
   using Group = typename TestFixture::Group;
@@ -227,14 +241,7 @@ TYPED_TEST(CpuGroupTest, AffineTransfersAreTheSumOverTheLattices) {
       V affine[2][D][D];
       g.gather_affine(0, p.stencil, velocity[0], affine[0]);
       LatticeSums::gather_affine(g, 0, p.stencil, velocity[1], affine[1]);
-      for (int l = 0; l < b.active; ++l) {
-        for (int c = 0; c < D; ++c) {
-          ASSERT_NEAR(lane(velocity[0][c], l), lane(velocity[1][c], l), this->tolerance);
-          for (int a = 0; a < D; ++a) {
-            ASSERT_NEAR(lane(affine[0][c][a], l), lane(affine[1][c][a], l), this->tolerance);
-          }
-        }
-      }
+      expect_equal_lanes(b.active, velocity, affine, this->tolerance);
       V mask = select(g.active(b), broadcast<V>(T(1)), broadcast<V>(T(0)));
       for (int l = 1; l < Group::width; l += 3) set_lane(mask, l, T(0));
       const V mass = g.load(b, D) * T(0.5);
@@ -337,6 +344,12 @@ void expect_transposed() {
   }
   Transpose::to_lanes(records, back);
   for (int i = 0; i < count; ++i) EXPECT_EQ(back[i], quantities[i]);
+  Transpose::to_quads(quantities, records);
+  for (int l = 0; l < width; ++l) {
+    for (int q = 0; q < 4; ++q) {
+      EXPECT_EQ(records[Transpose::quad_place(l) + q], T(100 * q + l)) << "lane " << l;
+    }
+  }
 }
 
 TEST(LaneTranspose, TurnsQuantitiesIntoRecordsAndBack) {

@@ -70,7 +70,7 @@ deck.toml:22:45: body.column.shape.uper = [0.1, 0.2]: unknown key; allowed: type
     {22, R"~(shape = { type = "sphere", center = [0.1, 0.1], radius = -1 })~",
      R"~(deck.toml:22:58: body.column.shape.radius = -1: is too small; allowed: above 0 m)~"},
     {22, R"~(shape = { type = "mesh", file = "a.stl" })~",
-     R"~(deck.toml:22:18: body.column.shape.type = "mesh": not available in this version; available: box, sphere, cylinder, polygon, plane, union, difference, intersection)~"},
+     R"~(deck.toml:22:18: body.column.shape.type = "mesh": a mesh bounds a solid of three dimensions; with domain.dimension = 2 give the outline as a polygon)~"},
     {22, R"~(shape = { type = "polygon", points = [[0, 0], [0.1, 0]] })~",
      R"~(deck.toml:22:38: body.column.shape.points = [[0, 0], [0.1, 0]]: must be an array of at least three points; allowed: [[x, y], [x, y], [x, y]])~"},
     {22, R"~(shape = { type = "polygon", points = [[0, 0], [0.1, 0], [0.1, 0.1]], z = [0, 1] })~",

@@ -76,20 +76,51 @@ pressure = "1,5")~",
      R"~(deck.toml:27:9: output.every = 0: is too small; allowed: above 0 s)~"},
     {27, R"~(every = "20 mm")~",
      R"~(deck.toml:27:9: output.every = "20 mm": has a unit that is not of a time; allowed: s, ms, us, min, h; write it in s)~"},
-    {27, R"~(format = "xdmf")~",
-     R"~(deck.toml:27:10: output.format = "xdmf": not available in this version; available: vtu, none)~"},
     {27, R"~(format = "vtk")~",
-     R"~(deck.toml:27:10: output.format = "vtk": unknown name; allowed: vtu, none; did you mean "vtu"?)~"},
+     R"~(deck.toml:27:10: output.format = "vtk": unknown name; allowed: vtu, xdmf, none; did you mean "vtu"?)~"},
     {27, R"~(precision = "half")~",
      R"~(deck.toml:27:13: output.precision = "half": unknown name; allowed: single, double)~"},
     {27, R"~(grid = 1)~",
      R"~(deck.toml:27:8: output.grid = 1: is an integer, must be a boolean; allowed: true, false)~"},
+    {27, R"~(compression = "deflate")~",
+     R"~(deck.toml:27:15: output.compression = "deflate": does not belong to format = "vtu"; allowed: every, format, precision, fields, grid, every_nth, region, from, until; remove it, or set format to xdmf)~"},
+    {27, R"~(every_nth = 0)~",
+     R"~(deck.toml:27:13: output.every_nth = 0: is too small; allowed: at least 1)~"},
+    {27, R"~(from = 0.5
+until = "0.4 s")~",
+     R"~(deck.toml:28:9: output.until = "0.4 s": is before from, so there would be no frame; allowed: from or later)~"},
+    {27, R"~(from = 2)~",
+     R"~(deck.toml:27:8: output.from = 2: is after time.end, so there would be no frame; allowed: at most 1.0 s)~"},
+    {25, R"~([frames.grid]
+fields = ["p"])~",
+     R"~(deck.toml:25:9: frames.grid = { fields = ["p"] }: there are other files called grid; choose another name)~"},
+    {25, R"~([frames.toe]
+format = "none")~",
+     R"~(deck.toml:26:10: frames.toe.format = "none": unknown name; allowed: vtu, xdmf)~"},
+    {25, R"~([probe.a]
+type = "particle")~",
+     R"~(deck.toml:25:2: probe.a.at: required key is missing; allowed: a length [m] for each axis; add at = ... or id = ...)~"},
+    {25, R"~([probe.a]
+at = [1.0, 0.1])~",
+     R"~(deck.toml:26:6: probe.a.at = [1.0, 0.1]: lies outside of the domain; allowed: (0.0, 0.0) to (0.8, 0.3) m)~"},
+    {25, R"~([probe.a]
+type = "particle"
+at = [0.1, 0.1]
+id = 3)~",
+     R"~(deck.toml:28:6: probe.a.id = 3: is given together with at, but either says which particle; remove one of them)~"},
+    {25, R"~([profile.a]
+from = [0.1, 0.1]
+to = [0.1, 0.1])~",
+     R"~(deck.toml:27:6: profile.a.to = [0.1, 0.1]: is the same as from, so the line has no length; move one of them)~"},
+    {25, R"~([section.a]
+fields = ["presure"])~",
+     R"~(deck.toml:26:11: section.a.fields[0] = "presure": is no field of the materials in use; allowed: id, material, body, velocity, stress, pressure, p, q, von_mises, lode_angle, principal_stress, principal_directions, mobilised_friction, yield_distance, equivalent_plastic_shear_strain, strain_rate, mass, volume, volume_ratio, displacement, deformation_gradient, volume_correction, equivalent_plastic_strain, log_volume_ratio; did you mean "pressure"?)~"},
     {28, R"~(fields = ["velocity", "stres"])~",
-     R"~(deck.toml:28:23: output.fields[1] = "stres": is no field of the materials in use; allowed: velocity, stress, pressure, mass, volume, displacement, id, material, body, deformation_gradient, volume_correction, equivalent_plastic_strain, log_volume_ratio; did you mean "stress"?)~"},
+     R"~(deck.toml:28:23: output.fields[1] = "stres": is no field of the materials in use; allowed: id, material, body, velocity, stress, pressure, p, q, von_mises, lode_angle, principal_stress, principal_directions, mobilised_friction, yield_distance, equivalent_plastic_shear_strain, strain_rate, mass, volume, volume_ratio, displacement, deformation_gradient, volume_correction, equivalent_plastic_strain, log_volume_ratio; did you mean "stress"?)~"},
     {28, R"~(fields = ["velocity", "velocity"])~",
      R"~(deck.toml:28:23: output.fields[1] = "velocity": is named twice; remove it)~"},
     {28, R"~(fields = ["equivalent_plastic_strian"])~",
-     R"~(deck.toml:28:11: output.fields[0] = "equivalent_plastic_strian": is no field of the materials in use; allowed: velocity, stress, pressure, mass, volume, displacement, id, material, body, deformation_gradient, volume_correction, equivalent_plastic_strain, log_volume_ratio; did you mean "equivalent_plastic_strain"?)~"},
+     R"~(deck.toml:28:11: output.fields[0] = "equivalent_plastic_strian": is no field of the materials in use; allowed: id, material, body, velocity, stress, pressure, p, q, von_mises, lode_angle, principal_stress, principal_directions, mobilised_friction, yield_distance, equivalent_plastic_shear_strain, strain_rate, mass, volume, volume_ratio, displacement, deformation_gradient, volume_correction, equivalent_plastic_strain, log_volume_ratio; did you mean "equivalent_plastic_strain"?)~"},
     {28, R"~(fields = "velocity")~",
      R"~(deck.toml:28:10: output.fields = "velocity": is a text, must be an array of texts; write [ "..." ])~"},
     {28, R"~(fields = ["velocity", 3])~",
@@ -102,7 +133,7 @@ evry = 1)~",
      R"~(deck.toml:29:1: checkpoint.evry = 1: unknown key; allowed: every; did you mean "every"?)~"},
     {28, R"~([histroy]
 every = 1)~",
-     R"~(deck.toml:28:1: histroy = { every = 1 }: unknown key; allowed: title, domain, time, method, material, body, traction, boundary, collider, output, history, checkpoint; did you mean "history"?)~"},
+     R"~(deck.toml:28:1: histroy = { every = 1 }: unknown key; allowed: title, domain, time, method, material, body, traction, boundary, collider, output, frames, history, probe, profile, section, checkpoint; did you mean "history"?)~"},
     {28, R"~([time])~",
      R"~(deck.toml:28:1: time: is defined twice; first in line 7; remove one of them)~"},
     {28, R"~(cell_size = 5 mm)~",
@@ -121,7 +152,7 @@ c = 2 })~",
     {28, R"~(fields = ["velocity", "stress"]
 grid = true
 x = 1e400)~",
-     R"~(deck.toml:30:1: output.x = 1e400: unknown key; allowed: every, format, precision, fields, grid; remove it)~"},
+     R"~(deck.toml:30:1: output.x = 1e400: unknown key; allowed: every, format, precision, fields, grid, every_nth, region, from, until; remove it)~"},
     {25, R"~([collider.c]
 shape = { type = "sphere", center = [0.5, 0.1], radius = 0.05 }
 velocity = ["1/t", 0]

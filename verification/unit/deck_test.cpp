@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "materials/registry.hpp"
+#include "solver/deck/document.hpp"
 #include "verification/support/temporary_folder.hpp"
 #include "verification/unit/broken_deck.hpp"
 
@@ -286,6 +287,31 @@ TEST(DeckFile, MissingDirectoryEmpty) {
             empty +
                 ": the deck is empty; begin with inputs/tutorial/sand_column_2d.toml, or see "
                 "scree describe\n");
+}
+
+TEST(DeckProblems, AFaultyDimensionIsReportedAlone) {
+  // Not also that a polygon in 3D would need z.
+  EXPECT_EQ(
+      problems_of(with_line(3, "dimension = 4"),
+                  {"body.column.shape={type=\"polygon\", points=[[0, 0], [0.1, 0], [0, 0.1]]}"}),
+      "deck.toml:3:13: domain.dimension = 4: is too large; allowed: at least 2 and at most 3\n");
+}
+
+TEST(DeckFile, MustBeUtf8) {
+  const auto report = [](const std::string& text) {
+    Problems problems;
+    parse_document(text, "deck.toml", problems);
+    return problems.text();
+  };
+  EXPECT_EQ(report("title = \"Böschung, 30°\"\n"), "");
+  EXPECT_EQ(report("\xEF\xBB\xBFtitle = \"a\"\n"), "");  // a byte order mark of UTF-8
+  EXPECT_EQ(report("# a\n# Stra\xDF"
+                   "e\n"),
+            "deck.toml:2:7: has a byte that is not UTF-8, 0xDF; save the deck as UTF-8\n");
+  EXPECT_EQ(report("title = \"\xE2\x82"),
+            "deck.toml:1:10: has a byte that is not UTF-8, 0xE2; save the deck as UTF-8\n");
+  EXPECT_EQ(report(std::string("\xFF\xFEt\0", 4)),
+            "deck.toml: is UTF-16 text; save the deck as UTF-8\n");
 }
 
 TEST(DeckFile, NestsAHundredLevelsAndNoMore) {

@@ -31,6 +31,13 @@ Texts warnings_of(const std::string& addition, const Texts& overrides = {}) {
 
 TEST(DeckWarnings, TheGoodDeckHasNone) { EXPECT_EQ(warnings_of(""), Texts()); }
 
+TEST(DeckWarnings, TheLinearKernel) {
+  const Texts warnings = warnings_of("", {"method.kernel=\"linear\"", "method.transfer=\"pic\""});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("method.kernel = \"linear\" is there for comparison"),
+            std::string::npos);
+}
+
 TEST(DeckWarnings, BodiesThatOverlap) {
   // Particles are 2/3 cm apart: in 2 cm x 4 cm lie 3 x 6.
   EXPECT_EQ(warnings_of(R"([body.two]

@@ -250,7 +250,7 @@ TEST_F(RunLoopTest, AllThatCameBeforeAFaultIsWritten) {
             1 + 251);
   const CheckpointReader checkpoint(part() / "checkpoint.h5");
   EXPECT_EQ(checkpoint.get<double>("simulation/clock").at(0), 0.5);
-  EXPECT_EQ(checkpoint.get<double>("run/particle_frame_times").size(), 6u);
+  EXPECT_EQ(checkpoint.get<double>("run/particles_frame_times").size(), 6u);
   EXPECT_EQ(recorder.kept(),
             "frames/particles_000005.vtu (t = 0.5 s), history.csv (to t = 0.5 s), checkpoint.h5 "
             "(t = 0.5 s)");
@@ -284,7 +284,8 @@ TEST_F(RunLoopTest, ResumeNamesWhatChanged) {
   };
   EXPECT_EQ(refusal(identity), "accepted");
   EXPECT_EQ(refusal({"[time]\nend = 2\n", "cpu", "0.1.0"}), "accepted");
-  EXPECT_NE(refusal({"[time]\nend = 0.5\n", "cpu", "0.1.0"}).find("time.end = 0.5 (was 1)"),
+  EXPECT_NE(refusal({"[time]\nend = 0.5\n", "cpu", "0.1.0"})
+                .find("time.end = 0.5 (was 1; to stop earlier use --until 0.5)"),
             std::string::npos);
   EXPECT_NE(refusal({"[time]\nend = 1\ncfl = 0.3\n", "cpu", "0.1.0"})
                 .find("time.cfl = 0.3 (was not given)"),

@@ -89,7 +89,8 @@ TEST(DeckChanges, TitlePrecisionAndALaterEndAreFree) {
                   .empty());
   EXPECT_EQ(forbidden_changes(
                 former, "title = \"a\"\n[time]\nend = 0.5\n[output]\nprecision = \"single\"\n"),
-            (std::vector<std::string>{"time.cfl = not given (was 0.4)", "time.end = 0.5 (was 1)"}));
+            (std::vector<std::string>{"time.cfl = not given (was 0.4)",
+                                      "time.end = 0.5 (was 1; to stop earlier use --until 0.5)"}));
 }
 
 TEST(Signals, LeaveANoteWhileCaught) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "solver/io/frame_series.hpp"
+#include "solver/io/vtk_series.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,17 +24,17 @@ std::string entry(const std::string& time, const std::string& file, const std::s
          "\"/>\n";
 }
 
-class FrameSeriesTest : public testing::Test {
+class VtkSeriesTest : public testing::Test {
  protected:
-  FrameSeriesTest() { fs::create_directory(folder_ / "frames"); }
+  VtkSeriesTest() { fs::create_directory(folder_ / "frames"); }
   std::string read(const std::string& file) const { return read_text(folder_ / file); }
   bool exists(const std::string& file) const { return fs::exists(folder_ / file); }
 
   TemporaryFolder folder_;
 };
 
-TEST_F(FrameSeriesTest, TheCollectionListsEveryFrameAtOnce) {
-  FrameSeries series(folder_.path(), "particles", FramePrecision::single_);
+TEST_F(VtkSeriesTest, TheCollectionListsEveryFrameAtOnce) {
+  VtkSeries series(folder_.path(), "particles", FramePrecision::single_);
   EXPECT_EQ(series.last_file(), "");
   series.add(sample_particles(2, 0.0));
   EXPECT_EQ(read("particles.pvd"), collection(entry("0", "particles_000000.vtu")));
@@ -46,23 +46,23 @@ TEST_F(FrameSeriesTest, TheCollectionListsEveryFrameAtOnce) {
   EXPECT_FALSE(exists("particles.pvd.tmp"));
 }
 
-TEST_F(FrameSeriesTest, TwoLatticesAreTwoPartsOfOneTime) {
-  FrameSeries series(folder_.path(), "grid", FramePrecision::single_);
+TEST_F(VtkSeriesTest, TwoLatticesAreTwoPartsOfOneTime) {
+  VtkSeries series(folder_.path(), "grid", FramePrecision::single_);
   series.add({sample_grid(2, 2, 1, 0.5, "minus"), sample_grid(3, 3, 1, 0.5, "plus")});
   EXPECT_EQ(read("grid.pvd"), collection(entry("0.5", "grid_minus_000000.vti", "0") +
                                          entry("0.5", "grid_plus_000000.vti", "1")));
 }
 
-TEST_F(FrameSeriesTest, OneLatticeNeedsNoName) {
-  FrameSeries series(folder_.path(), "grid", FramePrecision::single_);
+TEST_F(VtkSeriesTest, OneLatticeNeedsNoName) {
+  VtkSeries series(folder_.path(), "grid", FramePrecision::single_);
   series.add({sample_grid(2, 2, 1, 0.5, "nodes")});
   EXPECT_EQ(read("grid.pvd"), collection(entry("0.5", "grid_000000.vti")));
 }
 
-TEST_F(FrameSeriesTest, ResumeCutsBackAndGoesOn) {
+TEST_F(VtkSeriesTest, ResumeCutsBackAndGoesOn) {
   std::string after_two;
   {
-    FrameSeries series(folder_.path(), "particles", FramePrecision::single_);
+    VtkSeries series(folder_.path(), "particles", FramePrecision::single_);
     series.add(sample_particles(2, 0.0));
     series.add(sample_particles(2, 0.1));
     after_two = read("particles.pvd");
@@ -70,21 +70,23 @@ TEST_F(FrameSeriesTest, ResumeCutsBackAndGoesOn) {
   }
   write_text(folder_ / "frames/particles_000003.vtu.tmp", "half a frame, left by a kill");
   write_text(folder_ / "frames/particles_of_mine.vtu", "not ours");
-  FrameSeries series(folder_.path(), "particles", FramePrecision::single_);
+  write_text(folder_ / "frames/particles_grid_minus_000005.vti", "of another series");
+  VtkSeries series(folder_.path(), "particles", FramePrecision::single_);
   series.resume({0.0, 0.1});
   EXPECT_EQ(read("particles.pvd"), after_two);
   EXPECT_TRUE(exists("frames/particles_000001.vtu"));
   EXPECT_FALSE(exists("frames/particles_000002.vtu"));
   EXPECT_FALSE(exists("frames/particles_000003.vtu.tmp"));
   EXPECT_TRUE(exists("frames/particles_of_mine.vtu"));
+  EXPECT_TRUE(exists("frames/particles_grid_minus_000005.vti"));
   series.add(sample_particles(2, 0.2));
   EXPECT_EQ(read("particles.pvd"),
             collection(entry("0", "particles_000000.vtu") + entry("0.1", "particles_000001.vtu") +
                        entry("0.2", "particles_000002.vtu")));
 }
 
-TEST_F(FrameSeriesTest, ResumeNeedsTheEarlierFrames) {
-  FrameSeries series(folder_.path(), "particles", FramePrecision::single_);
+TEST_F(VtkSeriesTest, ResumeNeedsTheEarlierFrames) {
+  VtkSeries series(folder_.path(), "particles", FramePrecision::single_);
   EXPECT_THROW(series.resume({0.0}), RunFault);
 }
 
