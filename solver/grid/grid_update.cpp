@@ -92,23 +92,34 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
     for (int axis = 0; axis < D; ++axis) {
       for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
         const FacePair& pair = pairs_[axis][i];
-        const FaceType type = faces_.type[axis][pair.side];
-        if ((type == FaceType::sticky) != held) continue;
-        const T friction = T(faces_.friction[axis][pair.side]);
-        T* image = p + pair.image * node_values;
-        T* image_before = before == nullptr ? nullptr : before + pair.image * node_values;
+        if ((faces_.type[axis][pair.side] == FaceType::sticky) != held) continue;
         if (pair.ghost == pair.image) {
-          hold_wall_node<D>(type, friction, axis, pair.side, image, image_before);
+          hold_wall(pair, axis, p, before);
         } else {
-          T* ghost_before = before == nullptr ? nullptr : before + pair.ghost * node_values;
-          folded_[axis][i] = fold_ghost<D>(type, friction, axis, pair.side, image,
-                                           p + pair.ghost * node_values, image_before, ghost_before)
-                                 ? 1
-                                 : 0;
+          folded_[axis][i] = fold_pair_of_nodes(pair, axis, p, before) ? 1 : 0;
         }
       }
     }
   }
+}
+
+/// A node on a wall. `before` (may be null): momenta before forces.
+template <int D, class T>
+void GridUpdate<D, T>::hold_wall(const FacePair& pair, int axis, T* p, T* before) const {
+  const std::int64_t image = pair.image * node_values;
+  hold_wall_node<D>(faces_.type[axis][pair.side], T(faces_.friction[axis][pair.side]), axis,
+                    pair.side, p + image, before == nullptr ? nullptr : before + image);
+}
+
+/// A ghost and its image; true if the ghost's mass moved to the image.
+template <int D, class T>
+bool GridUpdate<D, T>::fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const {
+  const std::int64_t image = pair.image * node_values;
+  const std::int64_t ghost = pair.ghost * node_values;
+  return fold_ghost<D>(faces_.type[axis][pair.side], T(faces_.friction[axis][pair.side]), axis,
+                       pair.side, p + image, p + ghost,
+                       before == nullptr ? nullptr : before + image,
+                       before == nullptr ? nullptr : before + ghost);
 }
 
 template <int D, class T>
