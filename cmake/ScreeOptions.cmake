@@ -13,6 +13,8 @@ set(SCREE_BENCHMARKS "auto" CACHE STRING
     "Micro-benchmarks: auto (where Google Benchmark is installed, not with sanitizers), ON (it must be there), OFF")
 set(SCREE_DISPATCH "" CACHE STRING
     "Instruction sets of a build for many machines, e.g. x86-64-v2;x86-64-v3;x86-64-v4; empty for one program (SCREE_MARCH)")
+set(SCREE_EMULATED "fixed_corotated;drucker_prager" CACHE STRING
+    "Materials whose CUDA kernels the tests run on the processor (those compiled at all), separated by ';'; all for every one")
 set(SCREE_MATERIALS "all" CACHE STRING "Materials to compile, by name, separated by ';'; all for every one")
 
 get_property(scree_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)

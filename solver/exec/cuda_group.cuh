@@ -4,19 +4,18 @@
 #pragma once
 
 #include "solver/base/pack.hpp"
+#include "solver/device/device.hpp"
 #include "solver/exec/arena.hpp"
 #include "solver/exec/cuda_leaves.cuh"
-#include "solver/exec/lattice_sums.hpp"
 #include "solver/step/pass_data.hpp"
+#include "solver/transfer/stencil.hpp"
 
 namespace scree {
+inline namespace SCREE_SIDE {
 
-/// One particle: pointers to its entry of the first field of its batch.
-template <class T>
+/// One particle: its lane among all of the body. (A number, not pointers: these take registers.)
 struct CudaBatch {
-  T* particle;
-  T* aux;
-  std::int64_t* id;
+  std::int32_t lane;
 };
 
 /// A block's arena in shared memory, component after component, so that neighbouring nodes lie in
@@ -30,35 +29,35 @@ struct CudaArena {
   T value[values];
 };
 
-/// A CUDA thread block works on one grid block. `Width` is the number of particles in a batch of
-/// the store; threads of a warp then read consecutive memory. Faults and maxima go to the block's
-/// result in global memory; which of several faults is recorded is left to chance.
+/// A CUDA thread block works on one grid block, whose batches lie side by side. Faults and maxima
+/// go to the block's result in global memory; which of several faults is recorded is left to
+/// chance.
 ///
 /// Members are host-device functions because the bodies are; they only make sense in a kernel.
-template <int D, class T, class Kernel, int Reads, int Sums, int Width = 32>
+template <int D, class T, class Kernel, int Reads, int Sums>
 class CudaGroup {
  public:
   using Real = T;
   using V = T;
   using Int = IntOf<V>;
-  using Batch = CudaBatch<T>;
+  using Batch = CudaBatch;
   using Shape = ArenaShape<Kernel, D>;
   using Arena = CudaArena<D, T, Kernel, Reads, Sums>;
   static constexpr int dimension = D;
-  static constexpr int width = Width;
+  static constexpr int width = device_width;
 
   /// arena: in shared memory; null for passes that stage nothing.
   SCREE_FN CudaGroup(const PassData<D, T>& data, T* arena, int block)
       : data_(data), arena_(arena), block_(block) {
-    if (cuda::thread() == 0) data_.results[block_] = BlockResult<T>{};
-    cuda::barrier();
+    if (device::thread() == 0) data_.results[block_] = BlockResult<T>{};
+    device::barrier();
   }
 
   /// Copies the velocities of the grid's nodes around the block into the arena.
   SCREE_FN void stage_in(int channel) {
     const T* grid = data_.read[channel];
     T* out = read_arena(channel);
-    for (int n = cuda::thread(); n < Shape::nodes; n += cuda::threads()) {
+    for (int n = device::thread(); n < Shape::nodes; n += device::threads()) {
       const std::int64_t from = record(n);
       for (int c = 0; c < D; ++c) {
         out[c * Shape::nodes + n] = from < 0 ? T(0) : grid[from + c];
@@ -68,60 +67,103 @@ class CudaGroup {
 
   SCREE_FN void clear(int channel) {
     T* sums = sum_arena(channel);
-    for (int n = cuda::thread(); n < (D + 1) * Shape::nodes; n += cuda::threads()) sums[n] = T(0);
+    for (int n = device::thread(); n < (D + 1) * Shape::nodes; n += device::threads())
+      sums[n] = T(0);
   }
 
-  SCREE_FN void sync() { cuda::barrier(); }
+  SCREE_FN void sync(CallPlace at = SCREE_CALL_PLACE) { device::barrier(at); }
 
   /// Adds the arena's sums to the grid; other blocks may do so at the same time.
   SCREE_FN void stage_out(int channel) {
     T* grid = data_.write[channel];
     const T* sums = sum_arena(channel);
-    for (int n = cuda::thread(); n < Shape::nodes; n += cuda::threads()) {
+    for (int n = device::thread(); n < Shape::nodes; n += device::threads()) {
       const std::int64_t to = record(n);
       if (to < 0) continue;
       for (int c = 0; c <= D; ++c) {
-        cuda::add(grid + to + (c < D ? c : mass_slot), sums[c * Shape::nodes + n]);
+        device::add(grid + to + (c < D ? c : mass_slot), sums[c * Shape::nodes + n]);
       }
     }
   }
 
+  /// (One running number: the end is read anew each time rather than kept in a register.)
   template <class F>
   SCREE_FN void each_batch(F&& f) {
-    const int first = data_.batch_begin[block_];
-    const int count = data_.counts[block_];
-    for (int p = cuda::thread(); p < count; p += cuda::threads()) {
-      f(batch(data_.batch_list[first + p / width], p % width));
+    int lane = data_.batch_begin[block_] * width + device::thread();
+    while (lane < data_.batch_begin[block_] * width + data_.counts[block_]) {
+      f(Batch{lane});
+      lane += device::threads();
     }
   }
 
-  SCREE_FN V load(const Batch& b, int field) const { return b.particle[field * width]; }
-  SCREE_FN void store(const Batch& b, int field, V x) { b.particle[field * width] = x; }
-  SCREE_FN V load_aux(const Batch& b, int field) const { return b.aux[field * width]; }
-  SCREE_FN void store_aux(const Batch& b, int field, V x) { b.aux[field * width] = x; }
+  SCREE_FN V load(const Batch& b, int field) const {
+    return entry(data_.particles, data_.fields, b)[field * width];
+  }
+  SCREE_FN V load_again(const Batch& b, int field, V) const {
+    return *static_cast<const volatile T*>(entry(data_.particles, data_.fields, b) + field * width);
+  }
+  SCREE_FN void store(const Batch& b, int field, V x) {
+    entry(data_.particles, data_.fields, b)[field * width] = x;
+  }
+  SCREE_FN V load_aux(const Batch& b, int field) const {
+    return entry(data_.aux, data_.layout.total, b)[field * width];
+  }
+  SCREE_FN void store_aux(const Batch& b, int field, V x) {
+    entry(data_.aux, data_.layout.total, b)[device::not_ahead(field) * width] = x;
+  }
 
   SCREE_FN bool active(const Batch&) const { return true; }
   SCREE_FN T block_origin(int axis) const {
     return T(block_cells) * T(data_.coords[block_ * D + axis]);
   }
 
-  /// The grid transfers, as documented at CpuGroup.
-  template <int S>
-  SCREE_FN void gather_moments(int channel, Int base, const V (&w)[D][S], V (&value)[D],
-                               V (&moment)[D][D]) const {
-    V alt[D][S];
-    numbered(w, alt);
-    gather(channel, base, w, alt, value, moment);
-  }
+  // The grid transfers, as documented at CpuGroup.
+
+  /// Node by node of both lattices, with few numbers alive at a time: registers are what bounds the
+  /// number of threads.
   template <int L, int S>
   SCREE_FN void gather_affine(int channel, const Stencil<V, D, L, S>& p, V (&velocity)[D],
                               V (&affine)[D][D]) const {
-    LatticeSums::gather_affine(*this, channel, p, velocity, affine);
+    for (int c = 0; c < D; ++c) {
+      velocity[c] = V(0);
+      for (int a = 0; a < D; ++a) affine[c][a] = V(0);
+    }
+    SCREE_UNROLL_ON_DEVICE for (int k = 0; k < L; ++k) {
+      const T* nodes = read_arena(channel) + p.base[k];
+      SCREE_UNROLL_ON_DEVICE for (int s = 0; s < power(S, D); ++s) {
+        int number[D];
+        const int offset = stencil_node<S>(s, number);
+        const V w = weight_of(p.weight[k], number);
+        SCREE_UNROLL_ON_DEVICE for (int c = 0; c < D; ++c) {
+          const V part = w * nodes[c * Shape::nodes + offset];
+          velocity[c] += part;
+          SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) {
+            affine[c][a] += part * (V(number[a]) + p.offset[k][a]);
+          }
+        }
+      }
+    }
   }
   template <int L, int S>
   SCREE_FN void scatter_affine(int channel, const Stencil<V, D, L, S>& p, const V (&q)[D],
                                const V& mass, const V (&affine)[D][D], const V& mask) {
-    LatticeSums::scatter_affine(*this, channel, p, q, mass, affine, mask);
+    if (mask == V(0)) return;
+    SCREE_UNROLL_ON_DEVICE for (int k = 0; k < L; ++k) {
+      T* nodes = sum_arena(channel) + p.base[k];
+      SCREE_UNROLL_ON_DEVICE for (int s = 0; s < power(S, D); ++s) {
+        int number[D];
+        const int offset = stencil_node<S>(s, number);
+        const V w = weight_of(p.weight[k], number);
+        SCREE_UNROLL_ON_DEVICE for (int c = 0; c < D; ++c) {
+          V momentum = q[c];
+          SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) {
+            momentum += affine[c][a] * (V(number[a]) + p.offset[k][a]);
+          }
+          device::add(nodes + c * Shape::nodes + offset, w * momentum);
+        }
+        device::add(nodes + D * Shape::nodes + offset, w * mass);
+      }
+    }
   }
   template <int S>
   SCREE_FN void gather_slopes(int channel, Int base, const V (&w)[D][S], const V (&slope)[D][S],
@@ -129,47 +171,40 @@ class CudaGroup {
     gather(channel, base, w, slope, value, gradient);
   }
   template <int S>
-  SCREE_FN void scatter_moments(int channel, Int base, const V (&w)[D][S], const V (&q)[D], V mass,
-                                const V (&m)[D][D], V mask) {
-    V alt[D][S];
-    numbered(w, alt);
-    scatter(channel, base, w, alt, q, mass, m, mask);
-  }
-  template <int S>
   SCREE_FN void scatter_slopes(int channel, Int base, const V (&w)[D][S], const V (&slope)[D][S],
                                const V (&q)[D], V mass, const V (&g)[D][D], V mask) {
     scatter(channel, base, w, slope, q, mass, g, mask);
   }
 
+  /// Maxima go straight to the block's result: three running ones would take registers, and after
+  /// the first particles few are larger.
   SCREE_FN void note_motion(bool mask, V speed, V excursion) {
-    speed_ = max(speed_, select(mask, speed, V(0)));
-    excursion_ = max(excursion_, select(mask, excursion, V(0)));
+    if (!mask) return;
+    device::raise(&data_.results[block_].max_speed, speed);
+    device::raise(&data_.results[block_].max_excursion, excursion);
   }
   SCREE_FN void note_signal(bool mask, V signal) {
-    signal_ = max(signal_, select(mask, signal, V(0)));
+    if (mask) device::raise(&data_.results[block_].max_signal, signal);
   }
 
   SCREE_FN void fault(bool mask, FaultCode code, V value, const V (&u)[D], const Batch& b) {
     if (!mask) return;
     BlockResult<T>& result = data_.results[block_];
-    if (!cuda::claim(&result.fault, FaultCode::none, code)) return;
-    result.fault_id = *b.id;
+    if (!device::claim(&result.fault, FaultCode::none, code)) return;
+    result.fault_id = data_.ids[b.lane];
     result.fault_value = value;
-    for (int a = 0; a < D; ++a) result.fault_position[a] = u[a];
+    // A law reports after the position was stored, and need not keep it.
+    const bool stored = code == FaultCode::inadmissible_state;
+    for (int a = 0; a < D; ++a) result.fault_position[a] = stored ? load_again(b, a, u[a]) : u[a];
   }
 
   SCREE_FN void remove(bool mask, const Batch& b) {
     if (!mask) return;
-    *b.id = -1;
-    cuda::add(&data_.results[block_].dead, 1);
+    data_.ids[b.lane] = -1;
+    device::add(&data_.results[block_].dead, 1);
   }
 
-  SCREE_FN void finish() {
-    BlockResult<T>& result = data_.results[block_];
-    cuda::raise(&result.max_speed, speed_);
-    cuda::raise(&result.max_signal, signal_);
-    cuda::raise(&result.max_excursion, excursion_);
-  }
+  SCREE_FN void finish() {}
 
  private:
   SCREE_FN T* read_arena(int channel) const { return arena_ + channel * D * Shape::nodes; }
@@ -187,18 +222,9 @@ class CudaGroup {
     return (std::int64_t(block) * nodes + place.node) * node_values;
   }
 
-  SCREE_FN Batch batch(std::int32_t b, int lane) const {
-    const std::int64_t at = std::int64_t(b) * width;
-    return {data_.particles + at * data_.fields + lane, data_.aux + at * data_.layout.total + lane,
-            data_.ids + at + lane};
-  }
-
-  /// Weights times the node number, for moments.
-  template <int S>
-  static SCREE_FN void numbered(const V (&w)[D][S], V (&alt)[D][S]) {
-    SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) {
-      SCREE_UNROLL_ON_DEVICE for (int s = 0; s < S; ++s) alt[a][s] = V(s) * w[a][s];
-    }
+  /// First field of a particle in a pool.
+  static SCREE_FN T* entry(T* pool, int fields, const Batch& b) {
+    return pool + (std::int64_t(b.lane / width) * fields * width + b.lane % width);
   }
 
   /// Offset of node s of the stencil (0 .. S^D - 1, last axis fastest) and its number on each axis.
@@ -213,6 +239,13 @@ class CudaGroup {
       s /= S;
     }
     return offset;
+  }
+
+  template <int S>
+  static SCREE_FN V weight_of(const V (&w)[D][S], const int (&number)[D]) {
+    V product = w[0][number[0]];
+    SCREE_UNROLL_ON_DEVICE for (int a = 1; a < D; ++a) product *= w[a][number[a]];
+    return product;
   }
 
   /// products[0] = prod w, products[1 + a] = the same with the weight of axis a replaced by alt.
@@ -261,18 +294,16 @@ class CudaGroup {
       SCREE_UNROLL_ON_DEVICE for (int c = 0; c < D; ++c) {
         V sum = products[0] * q[c];
         SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) sum += products[1 + a] * m[c][a];
-        cuda::add(nodes + c * Shape::nodes + offset, sum);
+        device::add(nodes + c * Shape::nodes + offset, sum);
       }
-      cuda::add(nodes + D * Shape::nodes + offset, products[0] * mass);
+      device::add(nodes + D * Shape::nodes + offset, products[0] * mass);
     }
   }
 
   const PassData<D, T>& data_;
   T* arena_;
   int block_;
-  V speed_ = 0;
-  V signal_ = 0;
-  V excursion_ = 0;
 };
 
+}  // namespace SCREE_SIDE
 }  // namespace scree

@@ -1,98 +1,113 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// What only a CUDA device has: thread numbers, barriers, atomics. On the host the same names mean
-/// ordinary threads, so that the tests can run the CUDA group, under a thread sanitizer too, on a
-/// machine without a GPU.
+/// What only a CUDA device has: thread numbers, barriers, atomics, sums over a block.
 #pragma once
 
 #include <cstdint>
 
-#include "solver/base/config.hpp"
+#include "solver/exec/cuda_dialect.cuh"
 
-#ifndef __CUDA_ARCH__
-#include <atomic>
-#endif
-
-namespace scree::cuda {
-
-#ifndef __CUDA_ARCH__
-/// Stand-in of threadIdx, blockDim and the block's barrier; alone unless a test says otherwise.
-struct HostThread {
-  int index = 0;
-  int count = 1;
-  void (*wait)(void* barrier) = nullptr;
-  void* barrier = nullptr;
-};
-inline thread_local HostThread host_thread;
-#endif
+namespace scree {
+inline namespace SCREE_SIDE {
+namespace device {
 
 SCREE_FN int thread() {
-#ifdef __CUDA_ARCH__
+#if SCREE_IN_KERNEL
   return int(threadIdx.x);
 #else
-  return host_thread.index;
+  return 0;
 #endif
 }
 
 SCREE_FN int threads() {
-#ifdef __CUDA_ARCH__
+#if SCREE_IN_KERNEL
   return int(blockDim.x);
 #else
-  return host_thread.count;
+  return 1;
+#endif
+}
+
+SCREE_FN int block() {
+#if SCREE_IN_KERNEL
+  return int(blockIdx.x);
+#else
+  return 0;
 #endif
 }
 
 /// Waits for all threads of the block and makes their writes visible to each other.
-SCREE_FN void barrier() {
-#ifdef __CUDA_ARCH__
+SCREE_FN void barrier([[maybe_unused]] CallPlace at = SCREE_CALL_PLACE) {
+#if defined(__CUDA_ARCH__)
   __syncthreads();
-#else
-  if (host_thread.wait != nullptr) host_thread.wait(host_thread.barrier);
+#elif SCREE_IN_KERNEL
+  __syncthreads(at);
 #endif
+}
+
+/// i, but the compiler may not work out ahead of a loop what hangs on it, and keep the result in a
+/// register.
+SCREE_FN int not_ahead(int i) {
+#ifdef __CUDA_ARCH__
+  asm volatile("" : "+r"(i));
+#endif
+  return i;
 }
 
 /// *p += x while others do the same.
 template <class T>
-SCREE_FN void add(T* p, T x) {
-#ifdef __CUDA_ARCH__
+SCREE_FN void add([[maybe_unused]] T* p, [[maybe_unused]] T x) {
+#if SCREE_IN_KERNEL
   atomicAdd(p, x);
-#else
-  std::atomic_ref<T>(*p).fetch_add(x);
 #endif
 }
 
 /// Replaces `expected` by `desired`; true for the one caller that did.
 template <class Enum>
-SCREE_FN bool claim(Enum* p, Enum expected, Enum desired) {
+SCREE_FN bool claim([[maybe_unused]] Enum* p, [[maybe_unused]] Enum expected,
+                    [[maybe_unused]] Enum desired) {
   static_assert(sizeof(Enum) == sizeof(int));
-#ifdef __CUDA_ARCH__
+#if SCREE_IN_KERNEL
   return atomicCAS(reinterpret_cast<int*>(p), int(expected), int(desired)) == int(expected);
 #else
-  return std::atomic_ref<Enum>(*p).compare_exchange_strong(expected, desired);
+  return false;
 #endif
 }
 
-/// *p = max(*p, x) over all threads of the block, for x >= 0, whose bits sort like integers. Every
-/// thread of the block must call it; a warp reduces in registers first.
+/// *p = max(*p, x) while others do the same, for x >= 0, whose bits sort like integers; NaN leaves
+/// *p alone.
 template <class T>
-SCREE_FN void raise(T* p, T x) {
+SCREE_FN void raise([[maybe_unused]] T* p, [[maybe_unused]] T x) {
+#if SCREE_IN_KERNEL
+  // What is read may be an old, smaller value: then the atomic operation decides.
 #ifdef __CUDA_ARCH__
-  for (int distance = 16; distance > 0; distance /= 2) {
-    const T other = __shfl_xor_sync(0xffffffffu, x, distance);
-    x = other > x ? other : x;
-  }
-  if (threadIdx.x % 32 != 0) return;
+  const T old = *p;
+#else
+  const T old = std::atomic_ref<T>(*p).load(std::memory_order_relaxed);
+#endif
+  if (!(x > old)) return;
   if constexpr (sizeof(T) == 4) {
     atomicMax(reinterpret_cast<int*>(p), __float_as_int(x));
   } else {
     atomicMax(reinterpret_cast<long long*>(p), __double_as_longlong(x));
   }
-#else
-  std::atomic_ref<T> shared(*p);
-  T old = shared.load();
-  while (x > old && !shared.compare_exchange_weak(old, x)) {
-  }
 #endif
 }
 
-}  // namespace scree::cuda
+/// Sum of x over the threads of a block, always in the same order; the result is thread 0's.
+/// `room`: shared memory for one number a thread; its content is lost. The number of threads is a
+/// power of two.
+SCREE_FN double block_sum(double x, double* room) {
+  room[thread()] = x;
+  barrier();
+  for (int half = threads() / 2; half > 0; half /= 2) {
+    if (thread() < half) room[thread()] += room[thread() + half];
+    barrier();
+  }
+  const double sum = room[0];
+  barrier();
+  return sum;
+}
+
+}  // namespace device
+}  // namespace SCREE_SIDE
+}  // namespace scree

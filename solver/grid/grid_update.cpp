@@ -4,8 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "solver/boundary/contact.hpp"
-#include "solver/boundary/faces.hpp"
+#include "solver/grid/face_fold.hpp"
 
 namespace scree {
 
@@ -95,9 +94,9 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
         const FacePair& pair = pairs_[axis][i];
         if ((faces_.type[axis][pair.side] == FaceType::sticky) != held) continue;
         if (pair.ghost == pair.image) {
-          hold_wall_node(pair, axis, p, before);
+          hold_wall(pair, axis, p, before);
         } else {
-          folded_[axis][i] = fold_ghost(pair, axis, p, before) ? 1 : 0;
+          folded_[axis][i] = fold_pair_of_nodes(pair, axis, p, before) ? 1 : 0;
         }
       }
     }
@@ -106,53 +105,21 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
 
 /// A node on a wall. `before` (may be null): momenta before forces.
 template <int D, class T>
-void GridUpdate<D, T>::hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const {
-  const FaceType type = faces_.type[axis][pair.side];
-  T* record = p + pair.image * node_values;
-  NodeMomentum<T> node = read_node<D>(record);
-  plane_node<T, D>(type, T(faces_.friction[axis][pair.side]), axis, pair.side == 0 ? -1 : 1, node);
-  write_node<D>(record, node);
-  if (before == nullptr) return;
-  // So is the momentum before forces, or flip and local damping would see the wall's impulse.
-  for (int a = 0; a < D; ++a) {
-    const bool held = a == axis || type == FaceType::sticky;
-    if (held && node.momentum[a] == T(0)) before[pair.image * node_values + a] = T(0);
-  }
+void GridUpdate<D, T>::hold_wall(const FacePair& pair, int axis, T* p, T* before) const {
+  const std::int64_t image = pair.image * node_values;
+  hold_wall_node<D>(faces_.type[axis][pair.side], T(faces_.friction[axis][pair.side]), axis,
+                    pair.side, p + image, before == nullptr ? nullptr : before + image);
 }
 
 /// A ghost and its image; true if the ghost's mass moved to the image.
 template <int D, class T>
-bool GridUpdate<D, T>::fold_ghost(const FacePair& pair, int axis, T* p, T* before) const {
-  const FaceType type = faces_.type[axis][pair.side];
-  T* image = p + pair.image * node_values;
-  T* ghost = p + pair.ghost * node_values;
-  NodeMomentum<T> real = read_node<D>(image);
-  NodeMomentum<T> other = read_node<D>(ghost);
-  const T own_mass = real.mass;
-  if (type == FaceType::periodic) {
-    for (int a = 0; a < D; ++a) real.momentum[a] += other.momentum[a];
-    real.mass += other.mass;
-    other = NodeMomentum<T>{};
-  } else {
-    const T friction = T(faces_.friction[axis][pair.side]);
-    fold_pair<T, D>(type, friction, axis, pair.side == 0 ? -1 : 1, real, other);
-  }
-  write_node<D>(image, real);
-  write_node<D>(ghost, other);
-  if (other.mass > 0) return false;
-  if (before == nullptr) return true;
-  // The momentum before forces follows in the same way, so that the velocity change is the pair's.
-  Vec3<T> image_before{};
-  for (int a = 0; a < D; ++a) image_before[a] = before[pair.ghost * node_values + a];
-  if (type != FaceType::periodic) image_before = mirror_velocity<T, D>(type, axis, image_before);
-  const bool grows = type == FaceType::sticky && own_mass > T(0);
-  for (int a = 0; a < D; ++a) {
-    T& own = before[pair.image * node_values + a];
-    if (grows && a != axis) own *= real.mass / own_mass;
-    own += image_before[a];
-    before[pair.ghost * node_values + a] = T(0);
-  }
-  return true;
+bool GridUpdate<D, T>::fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const {
+  const std::int64_t image = pair.image * node_values;
+  const std::int64_t ghost = pair.ghost * node_values;
+  return fold_ghost<D>(faces_.type[axis][pair.side], T(faces_.friction[axis][pair.side]), axis,
+                       pair.side, p + image, p + ghost,
+                       before == nullptr ? nullptr : before + image,
+                       before == nullptr ? nullptr : before + ghost);
 }
 
 template <int D, class T>
@@ -160,12 +127,8 @@ void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
   for (int axis = 0; axis < D; ++axis) {
     for (const FacePair& pair : pairs_[axis]) {
       if (faces_.type[axis][pair.side] != FaceType::periodic) continue;
-      T* image = channel.data() + pair.image * node_values;
-      T* ghost = channel.data() + pair.ghost * node_values;
-      for (int i = 0; i < node_values; ++i) {
-        image[i] += ghost[i];
-        ghost[i] = T(0);
-      }
+      move_to_image(channel.data() + pair.image * node_values,
+                    channel.data() + pair.ghost * node_values);
     }
   }
 }
@@ -180,10 +143,8 @@ void GridUpdate<D, T>::unfold(T* p, T* q, bool separate) const {
         if ((type == FaceType::sticky) != held) continue;
         if (folded_[axis][i] == 0 || pair.ghost == pair.image) continue;
         for (T* channel : {p, separate ? q : p}) {
-          Vec3<T> v{};
-          for (int a = 0; a < D; ++a) v[a] = channel[pair.image * node_values + a];
-          if (type != FaceType::periodic) v = mirror_velocity<T, D>(type, axis, v);
-          for (int a = 0; a < D; ++a) channel[pair.ghost * node_values + a] = v[a];
+          unfold_ghost<D>(type, axis, channel + pair.image * node_values,
+                          channel + pair.ghost * node_values);
         }
       }
     }
@@ -302,19 +263,11 @@ void GridUpdate<D, T>::touch_node(const std::array<double, 3>& x, int i, double 
     } else if (!collider.touches(x.data(), memory[c].nodes[std::size_t(i)], normal)) {
       continue;
     }
-    Vec3<double> old{};
-    for (int a = 0; a < D; ++a) old[a] = double(v[a]);
-    const Vec3<double> now = contact_velocity<double, D>(collider.contact(), collider.coefficient(),
-                                                         old, collider.velocity(), normal);
     Vec3<double> impulse{};
     Vec3<double> arm{};
     const Vec3<double> centre = collider.reference_point();
-    bool holds = false;
-    for (int a = 0; a < D; ++a) {
-      impulse[a] = mass * (old[a] - now[a]);
-      holds = holds || old[a] != now[a];
-      v[a] = T(now[a]);
-    }
+    const bool holds = touch_surface<D>(collider.contact(), collider.coefficient(),
+                                        collider.velocity(), normal, mass, v, impulse);
     if (holds) held.push_back({collider.contact() == ContactType::sticky, normal});
     for (int a = 0; a < 3; ++a) arm[a] = x[std::size_t(a)] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);

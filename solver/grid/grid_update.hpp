@@ -64,8 +64,8 @@ class GridUpdate {
   void remember(const std::vector<std::uint64_t>& keys);
   double add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces, ThreadPool& pool);
   void fold(T* p, T* q, bool separate);
-  void hold_wall_node(const FacePair& pair, int axis, T* p, T* before) const;
-  bool fold_ghost(const FacePair& pair, int axis, T* p, T* before) const;
+  void hold_wall(const FacePair& pair, int axis, T* p, T* before) const;
+  bool fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const;
   void unfold(T* p, T* q, bool separate) const;
   void to_velocity(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
                    std::vector<Collider>& colliders, ThreadPool& pool);

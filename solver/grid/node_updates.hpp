@@ -3,28 +3,14 @@
 // What the grid update does to the records {vector, mass} of many nodes, one after the other.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 #include "solver/base/tensor.hpp"
-#include "solver/boundary/faces.hpp"
 #include "solver/grid/grid.hpp"
+#include "solver/grid/node_contact.hpp"
 
 namespace scree {
-
-template <int D, class T>
-NodeMomentum<T> read_node(const T* record) {
-  NodeMomentum<T> node{record[mass_slot], {}};
-  for (int a = 0; a < D; ++a) node.momentum[a] = record[a];
-  return node;
-}
-
-template <int D, class T>
-void write_node(T* record, const NodeMomentum<T>& node) {
-  for (int a = 0; a < D; ++a) record[a] = node.momentum[a];
-  record[mass_slot] = node.mass;
-}
 
 /// A node's record {vector, mass} in one register.
 template <class T>
@@ -74,21 +60,14 @@ struct HeldDirection {
   Vec3<double> normal;
 };
 
-/// Cundall's damping: a fraction of the unbalanced force opposes the velocity before it. What
-/// colliders hold of the velocity stays as it is: their force is part of the balance there.
+/// Local damping of a node that colliders hold.
 template <int D, class T>
 void damp_node(T* v, const T* before, T fraction, const std::vector<HeldDirection>& held) {
   double change[3] = {0, 0, 0};
-  for (int a = 0; a < D; ++a) {
-    if (v[a] == T(0)) continue;  // held at rest by a wall: in balance
-    const double damping = double(fraction * std::abs(v[a] - before[a]));
-    change[a] = before[a] > T(0) ? -damping : before[a] < T(0) ? damping : 0.0;
-  }
+  local_damping<D>(v, before, fraction, change);
   for (const HeldDirection& direction : held) {
     if (direction.all) return;
-    double along = 0;
-    for (int a = 0; a < D; ++a) along += change[a] * direction.normal[a];
-    for (int a = 0; a < D; ++a) change[a] -= along * direction.normal[a];
+    remove_along<D>(direction.normal, change);
   }
   for (int a = 0; a < D; ++a) v[a] += T(change[a]);
 }

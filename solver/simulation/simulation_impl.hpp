@@ -12,6 +12,7 @@
 #include "solver/simulation/external_force.hpp"
 #include "solver/simulation/particle_view.hpp"
 #include "solver/simulation/simulation.hpp"
+#include "solver/simulation/simulation_on_device.hpp"
 #include "solver/simulation/step_clock.hpp"
 #include "solver/step/body.hpp"
 
@@ -26,7 +27,8 @@ enum class Phase { binning, grid, particles, stress, external, pressure, count }
 template <int D, class T>
 class SimulationImpl final : public Simulation {
  public:
-  explicit SimulationImpl(SimulationSetup setup);
+  /// device: where to compute; null: this machine's processor.
+  SimulationImpl(SimulationSetup setup, std::shared_ptr<const DeviceToolkit> device);
 
   void step() override;
   double time() const override { return clock_.time; }
@@ -117,6 +119,7 @@ class SimulationImpl final : public Simulation {
                     std::vector<double>& velocity) const;
 
   SimulationSetup setup_;
+  std::shared_ptr<const DeviceToolkit> device_;
   bool fused_ = true;
   bool separate_ = false;
   AuxLayout layout_;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/device/device_backend.hpp"
 #include "solver/simulation/cpu_backend.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 #include "solver/transfer/compact.hpp"
@@ -54,19 +55,26 @@ void initial_affine(KernelType kernel, TransferType transfer, const double (&u)[
 
 }  // namespace
 
-std::unique_ptr<Simulation> Simulation::create(SimulationSetup setup) {
+std::unique_ptr<Simulation> create_on_device(SimulationSetup setup,
+                                             std::shared_ptr<const DeviceToolkit> device) {
   const bool flat = setup.dimension == 2;
   if (setup.precision == Precision::double_) {
-    if (flat) return std::make_unique<SimulationImpl<2, double>>(std::move(setup));
-    return std::make_unique<SimulationImpl<3, double>>(std::move(setup));
+    if (flat) return std::make_unique<SimulationImpl<2, double>>(std::move(setup), device);
+    return std::make_unique<SimulationImpl<3, double>>(std::move(setup), device);
   }
-  if (flat) return std::make_unique<SimulationImpl<2, float>>(std::move(setup));
-  return std::make_unique<SimulationImpl<3, float>>(std::move(setup));
+  if (flat) return std::make_unique<SimulationImpl<2, float>>(std::move(setup), device);
+  return std::make_unique<SimulationImpl<3, float>>(std::move(setup), device);
+}
+
+std::unique_ptr<Simulation> Simulation::create(SimulationSetup setup) {
+  return create_on_device(std::move(setup), nullptr);
 }
 
 template <int D, class T>
-SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup)
+SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
+                                     std::shared_ptr<const DeviceToolkit> device)
     : setup_(std::move(setup)),
+      device_(std::move(device)),
       fused_(setup_.path == PathType::automatic ? can_fuse(setup_)
                                                 : setup_.path == PathType::fused),
       separate_(needs_separate_force(setup_)),
@@ -141,6 +149,10 @@ std::unique_ptr<Backend<D, T>> SimulationImpl<D, T>::make_backend() {
   config.faces = make_faces();
   config.lower = setup_.lower;
   config.cell_size = setup_.cell_size;
+  if (device_) {
+    return std::make_unique<DeviceBackend<D, T>>(config, layout_, bodies_, executor_.pool(),
+                                                 *device_, setup_.bodies);
+  }
   return std::make_unique<CpuBackend<D, T>>(config, layout_, bodies_, executor_);
 }
 

@@ -1,40 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 /// \file
-/// The block bodies as CUDA kernels: one thread block a grid block, blocks[blockIdx.x].
+/// The block bodies as CUDA kernels: one thread block a block of the body.
 #pragma once
 
-#include <cuda_runtime.h>
-
+#include "solver/device/launch.cuh"
 #include "solver/exec/cuda_group.cuh"
 #include "solver/step/block_bodies.hpp"
 
-namespace scree::cuda {
+namespace scree {
+inline namespace SCREE_SIDE {
+namespace kernels {
 
-/// Threads of a block: 8 warps; 4^3 cells of 8 particles are two rounds.
-inline constexpr int block_threads = 256;
 static_assert(block_threads % 32 == 0, "warps reduce with all their threads");
 
 /// Blocks that must fit on a multiprocessor, which bounds the registers of a thread: 65536 / (256 x
-/// 3) = 80 in single precision, 128 in double.
+/// 4) = 64 in single precision, 128 in double.
 template <class T>
-inline constexpr int blocks_per_processor = sizeof(T) == 4 ? 3 : 2;
+inline constexpr int blocks_per_processor = sizeof(T) == 4 ? 4 : 2;
 
 template <class Kernel, class Transfer, int D, class T>
 __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
-    p2g(const __grid_constant__ PassData<D, T> data, const std::int32_t* blocks) {
+    p2g(const __grid_constant__ PassData<D, T> data) {
   using Group = CudaGroup<D, T, Kernel, 0, 2>;
-  __shared__ typename Group::Arena arena;
-  Group group(data, arena.value, blocks[blockIdx.x]);
+  SCREE_SHARED(typename Group::Arena, arena);
+  Group group(data, arena.value, int(blockIdx.x));
   p2g_block<Kernel, Transfer>(group, data);
   group.finish();
 }
 
 template <class Kernel, class Transfer, int D, class T>
 __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
-    g2p(const __grid_constant__ PassData<D, T> data, const std::int32_t* blocks) {
+    g2p(const __grid_constant__ PassData<D, T> data) {
   using Group = CudaGroup<D, T, Kernel, Transfer::reads_increment ? 2 : 1, 0>;
-  __shared__ typename Group::Arena arena;
-  Group group(data, arena.value, blocks[blockIdx.x]);
+  SCREE_SHARED(typename Group::Arena, arena);
+  Group group(data, arena.value, int(blockIdx.x));
   g2p_block<Kernel, Transfer>(group, data);
   group.finish();
 }
@@ -42,9 +41,8 @@ __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
 template <class Material, class Kernel, int D, class T>
 __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
     stress(const __grid_constant__ PassData<D, T> data,
-           const __grid_constant__ typename Material::template Params<T> material,
-           const std::int32_t* blocks) {
-  CudaGroup<D, T, Kernel, 0, 0> group(data, nullptr, blocks[blockIdx.x]);
+           const __grid_constant__ typename Material::template Params<T> material) {
+  CudaGroup<D, T, Kernel, 0, 0> group(data, nullptr, int(blockIdx.x));
   stress_block<Material>(group, data, material);
   group.finish();
 }
@@ -52,13 +50,14 @@ __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
 template <class Kernel, class Material, int D, class T>
 __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
     g2p2g(const __grid_constant__ PassData<D, T> data,
-          const __grid_constant__ typename Material::template Params<T> material,
-          const std::int32_t* blocks) {
+          const __grid_constant__ typename Material::template Params<T> material) {
   using Group = CudaGroup<D, T, Kernel, 1, 1>;
-  __shared__ typename Group::Arena arena;
-  Group group(data, arena.value, blocks[blockIdx.x]);
+  SCREE_SHARED(typename Group::Arena, arena);
+  Group group(data, arena.value, int(blockIdx.x));
   g2p2g_block<Kernel, Material>(group, data, material);
   group.finish();
 }
 
-}  // namespace scree::cuda
+}  // namespace kernels
+}  // namespace SCREE_SIDE
+}  // namespace scree
