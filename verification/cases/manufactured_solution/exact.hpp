@@ -47,7 +47,8 @@ struct Case {
           sum += off * off;
         }
       }
-      const double norm = std::sqrt(sum / (2 * static_cast<double>(frame.size()))) / exact.amplitude;
+      const double norm =
+          std::sqrt(sum / (2 * static_cast<double>(frame.size()))) / exact.amplitude;
       largest = std::max(largest, norm);
       time.push_back(frame.time() * exact.frequency / (2 * std::numbers::pi));
       error.push_back(norm);

@@ -85,8 +85,7 @@ struct Case {
       s.push_back(stress(p, 0, 0) / 1e3);
       if (share > 0.5) front = std::max(front, depth);
       if (depth > 0.5 * reach) highest = std::max(highest, share);
-      if (depth < 0.5 * reach && std::abs(share - 1) > 0.1)
-        disturbed = std::max(disturbed, depth);
+      if (depth < 0.5 * reach && std::abs(share - 1) > 0.1) disturbed = std::max(disturbed, depth);
       if (depth > 0.6 * reach || depth < 2 * cell) continue;
       sum += share;
       count += 1;
