@@ -128,35 +128,29 @@ bool GridUpdate<D, T>::fold_ghost(const FacePair& pair, int axis, T* p, T* befor
   T* ghost = p + pair.ghost * node_values;
   NodeMomentum<T> real = read_node<D>(image);
   NodeMomentum<T> other = read_node<D>(ghost);
-  Vec3<T> impulse{};
+  const T own_mass = real.mass;
   if (type == FaceType::periodic) {
     for (int a = 0; a < D; ++a) real.momentum[a] += other.momentum[a];
     real.mass += other.mass;
     other = NodeMomentum<T>{};
   } else {
     const T friction = T(faces_.friction[axis][pair.side]);
-    impulse = fold_pair<T, D>(type, friction, axis, pair.side == 0 ? -1 : 1, real, other);
+    fold_pair<T, D>(type, friction, axis, pair.side == 0 ? -1 : 1, real, other);
   }
   write_node<D>(image, real);
   write_node<D>(ghost, other);
-  const bool apart = other.mass > 0;
-  if (before == nullptr) return !apart;
+  if (other.mass > 0) return false;
+  if (before == nullptr) return true;
   // The momentum before forces follows in the same way, so that the velocity change is the pair's.
-  T* image_before = before + pair.image * node_values;
-  T* ghost_before = before + pair.ghost * node_values;
-  if (apart) {
-    if (impulse[axis] == T(0)) return false;
-    const T normal = (image_before[axis] - ghost_before[axis]) / (real.mass + other.mass);
-    image_before[axis] = real.mass * normal;
-    ghost_before[axis] = -other.mass * normal;
-    return false;
-  }
-  Vec3<T> mirrored{};
-  for (int a = 0; a < D; ++a) mirrored[a] = ghost_before[a];
-  if (type != FaceType::periodic) mirrored = mirror_velocity<T, D>(type, axis, mirrored);
+  Vec3<T> image_before{};
+  for (int a = 0; a < D; ++a) image_before[a] = before[pair.ghost * node_values + a];
+  if (type != FaceType::periodic) image_before = mirror_velocity<T, D>(type, axis, image_before);
+  const bool grows = type == FaceType::sticky && own_mass > T(0);
   for (int a = 0; a < D; ++a) {
-    image_before[a] += mirrored[a];
-    ghost_before[a] = T(0);
+    T& own = before[pair.image * node_values + a];
+    if (grows && a != axis) own *= real.mass / own_mass;
+    own += image_before[a];
+    before[pair.ghost * node_values + a] = T(0);
   }
   return true;
 }

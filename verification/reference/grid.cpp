@@ -28,8 +28,7 @@ Node Grid::mirrored(const Node& node, const Face& face) const {
 }
 
 Vector Grid::reflection(const Face& face) {
-  Vector diagonal = Vector::Ones();
-  if (face.rule == FaceRule::sticky) diagonal = -diagonal;
+  Vector diagonal = face.rule == FaceRule::sticky ? Vector(Vector::Zero()) : Vector(Vector::Ones());
   diagonal[face.axis] = -1;
   return diagonal;
 }
@@ -42,9 +41,14 @@ void Grid::fold(const Face& face) {
   for (const auto& [node, value] : nodes_) {
     if (!behind(node, face)) continue;
     GridNode& target = inside[mirrored(node, face)];
+    const double own = target.mass;
     target.mass += value.mass;
-    target.momentum += R.cwiseProduct(value.momentum);
-    target.force += R.cwiseProduct(value.force);
+    // Along a held wall the node inside keeps its velocity: momentum and force grow with the mass.
+    Vector growth = Vector::Ones();
+    if (face.rule == FaceRule::sticky && own > 0) growth.setConstant(target.mass / own);
+    growth[face.axis] = 1;
+    target.momentum = growth.cwiseProduct(target.momentum) + R.cwiseProduct(value.momentum);
+    target.force = growth.cwiseProduct(target.force) + R.cwiseProduct(value.force);
   }
   // A node on the plane is its own mirror: its image adds the same mass, which changes no velocity,
   // and turns the normal part of momentum and force around. update() zeroes what the wall takes.
@@ -62,7 +66,8 @@ void Grid::update(double dt, const Vector& gravity, const std::vector<Face>& fac
     value.velocity = value.velocity_before + dt * value.force / value.mass;
     for (const Face& face : faces) {
       if (!on_plane(node, face)) continue;
-      const Vector keep = (reflection(face) + Vector::Ones()) / 2;  // what R leaves alone
+      Vector keep = reflection(face);  // 1 along a mirror, 0 along a held wall
+      keep[face.axis] = 0;
       value.velocity = value.velocity.cwiseProduct(keep);
       value.velocity_before = value.velocity_before.cwiseProduct(keep);
     }

@@ -23,7 +23,8 @@ enum class FaceRule { sticky, mirror };
 /// A plane face normal to `axis`: the material is above the coordinate (lower face) or below it
 /// (upper face). The coordinate [m] is a multiple of half a cell. A ghost node behind the plane
 /// moves with R times the velocity of its mirror node. mirror: R = diag(-1 normal, 1 tangential),
-/// exact symmetry. sticky: R = -1, so that the velocity vanishes on the plane.
+/// exact symmetry. sticky: R = diag(-1 normal, 0 tangential), and the ghost's tangential momentum
+/// is lost.
 struct Face {
   int axis;
   bool upper;

