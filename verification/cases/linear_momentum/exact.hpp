@@ -39,7 +39,7 @@ struct Case {
     }
     out.value("momentum drift", drift);
     out.value("centre drift", wander / run.number("cell"));
-    out.value("speed of return", -mean_velocity(run) / run.number("speed"));
+    out.value("speed lost", 1 + mean_velocity(run) / run.number("speed"));
     out.figure("Momentum lost or gained", "time (s)", "|P - P(0)| over a ball's momentum")
         .computed(t, error)
         .logarithmic_y();

@@ -47,13 +47,14 @@ struct Case {
           sum += off * off;
         }
       }
-      const double norm = std::sqrt(sum / static_cast<double>(frame.size())) / exact.amplitude;
+      const double norm =
+          std::sqrt(sum / (2 * static_cast<double>(frame.size()))) / exact.amplitude;
       largest = std::max(largest, norm);
       time.push_back(frame.time() * exact.frequency / (2 * std::numbers::pi));
       error.push_back(norm);
     }
     out.value("displacement error", largest);
-    out.figure("Error over one period", "time over period", "L2 of u - exact, over A")
+    out.figure("Error over one period", "time over period", "root mean square of u - exact, over A")
         .computed(time, error)
         .logarithmic_y();
     draw(run, exact, out);

@@ -33,7 +33,7 @@ struct Case {
     const double start = passes(t, v, 0) - 1;
     // From 0.8 to -0.8 of the velocity: 1.6 of the whole change of 2.
     out.value("contact time", (passes(t, v, -0.8) - passes(t, v, 0.8)) * 2 / 1.6, 2);
-    out.value("restitution", -v.back());
+    out.value("speed lost", 1 + v.back());
     for (double& time : t) time -= start;
     out.figure("Mean velocity of the left bar", "time over L/c", "over its first velocity")
         .computed(t, v)
@@ -74,7 +74,7 @@ struct Case {
     const ParticleFrame frame = run.frame(index);
     const Column stress = frame.field("stress");
     const double reach = frame.time() * run.number("c") - start, cell = run.number("cell");
-    double sum = 0, count = 0, highest = 0, front = 0;
+    double sum = 0, count = 0, highest = -1e300, front = 0, disturbed = 0;
     std::vector<double> X, s;
     for (std::size_t p = 0; p < frame.size(); ++p) {
       // Distance from the end that meets the other bar.
@@ -83,14 +83,17 @@ struct Case {
       const double share = stress(p, 0, 0) / exact;
       X.push_back(frame.body(p) == 0 ? -depth : depth);
       s.push_back(stress(p, 0, 0) / 1e3);
-      highest = std::max(highest, share);
       if (share > 0.5) front = std::max(front, depth);
+      if (depth > 0.5 * reach) highest = std::max(highest, share);
+      if (depth < 0.5 * reach && std::abs(share - 1) > 0.1) disturbed = std::max(disturbed, depth);
       if (depth > 0.6 * reach || depth < 2 * cell) continue;
       sum += share;
       count += 1;
     }
     out.value("plateau", sum / count, 1.0);
     out.value("overshoot", highest - 1);
+    out.value("disturbed length", disturbed);
+    out.value("disturbed cells", disturbed / cell);
     out.value("front", (front - reach) / cell);
     out.figure("Stress when the fronts stand in the middle of the bars",
                "distance from the contact in the unloaded bars (m)", "stress (kPa)")
