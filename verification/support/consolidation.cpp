@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "verification/support/consolidation.hpp"
 
-#include <complex>
-
 namespace scree::testing {
 
 SimulationSetup column_setup(const SoilColumn& column, bool drained) {
@@ -36,29 +34,6 @@ SimulationSetup column_setup(const SoilColumn& column, bool drained) {
   if (column.load != 0) setup.tractions.push_back(load);
   if (drained) setup.coupling->drainage.push_back(top);
   return setup;
-}
-
-double terzaghi(double z, double Tv) {
-  double sum = 0;
-  for (int n = 0; n < 400; ++n) {
-    const double M = (n + 0.5) * std::numbers::pi;
-    sum += 2 / M * std::sin(M * z) * std::exp(-M * M * Tv);
-  }
-  return sum;
-}
-
-double dynamic_terzaghi(double z, double Tv, double epsilon) {
-  using Complex = std::complex<double>;
-  double sum = 0;
-  for (int n = 0; n < 400; ++n) {
-    const double M = (n + 0.5) * std::numbers::pi, e = epsilon * epsilon;
-    // e a'' + a' + M^2 a = 0 with a = 1, a' = 0 at the start
-    const Complex root = std::sqrt(Complex(1 - 4 * e * M * M));
-    const Complex r1 = (-1.0 + root) / (2 * e), r2 = (-1.0 - root) / (2 * e);
-    const Complex rate = r1 * r2 * (std::exp(r1 * Tv) - std::exp(r2 * Tv)) / (r2 - r1);
-    sum -= 2 * (n % 2 == 0 ? 1 : -1) / (M * M * M) * rate.real() * std::cos(M * (1 - z));
-  }
-  return sum;
 }
 
 }  // namespace scree::testing

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Columns of saturated soil, drained at the top, and closed forms of consolidation.
+// Columns of saturated soil, drained at the top.
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "verification/support/scene.hpp"
@@ -47,12 +46,5 @@ struct SoilColumn {
 
 /// The column with the load on its drained top; `drained`: its top is a drain.
 SimulationSetup column_setup(const SoilColumn& column, bool drained = true);
-
-/// u/p0 of Terzaghi's column at depth z below the drain, z in [0, 1] of the height, time factor Tv.
-double terzaghi(double z, double Tv);
-
-/// The same with inertia, the water incompressible: rho u_tt = E u_yy - p_y and u_t = k p_y, by
-/// modes; epsilon = cv/(c H), c the wave speed of the drained soil.
-double dynamic_terzaghi(double z, double Tv, double epsilon);
 
 }  // namespace scree::testing

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Consolidation at large strain (R. E. Gibson, G. L. England, M. J. L. Hussey, Geotechnique 17,
-// 1967, is the theory). In the end the water carries nothing: in the confined column of a
-// fixed-corotated solid with Poisson's ratio 0 the nominal stress is E (s - 1) = -q, so the stretch
-// is s = 1 - q/E everywhere, and grains that keep their volume leave the porosity n = 1 - (1 -
-// n0)/s. The water that has flowed out is (1 - s) of the volume at the start.
+// Consolidation at large strain under self-weight (R. E. Gibson, G. L. England, M. J. L. Hussey,
+// Geotechnique 17, 1967). At rest the water is hydrostatic below the surface, where it is drained:
+// p = rho_f g (y(H) - y). The total stress is the weight above, -rho g (H - X), particles keep
+// their mass. For a fixed-corotated solid with Poisson's ratio 0 the effective stress is E (s - 1),
+// s = dy/dX:
+//   E (s - 1) = -rho g (H - X) + rho_f g int_X^H s,    so    E s' = rho g - rho_f g s,  s(H) = 1,
+// and with rho = 2 rho_f and a = rho_f g/E: s = 2 - exp(a (H - X)), y = 2 X - (exp(a H) - exp(a (H
+// - X)))/a. Grains keep their volume, so the porosity is n = 1 - (1 - n0)/s, and the water that has
+// flowed out is H - y(H).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -15,33 +20,48 @@
 
 namespace scree::verify::cases::large_consolidation {
 
+struct Column {
+  double height, a;  ///< m, 1/m
+  double stretch(double X) const { return 2 - std::exp(a * (height - X)); }
+  double place(double X) const {
+    return 2 * X - (std::exp(a * height) - std::exp(a * (height - X))) / a;
+  }
+};
+
 struct Case {
   static void measure(const Run& run, Measured& out) {
-    const double height = run.number("height"), stretch = 1 - run.number("strain");
-    const double porosity = 1 - (1 - run.number("porosity")) / stretch;
+    const double height = run.number("height"), weight = 1000 * run.number("g");
+    const Column exact{height, weight / run.number("E")};
+    const double top = exact.place(height);
     const ParticleFrame end = run.frame();
     const auto p = end.field("pore_pressure"), n = end.field("porosity");
-    double place = 0, pressure = 0, pores = 0;
+    double place = 0, pressure = 0, pores = 0, pores_exact = 0;
+    std::vector<double> X, moved, line, curve;
     for (std::size_t i = 0; i < end.size(); ++i) {
-      place = std::max(place, std::abs(end.x(i)[1] - stretch * end.X(i)[1]) / height);
-      pressure = std::max(pressure, std::abs(p(i)) / run.number("load"));
+      X.push_back(end.X(i)[1] / height);
+      moved.push_back(end.x(i)[1] / height);
+      place = std::max(place, std::abs(end.x(i)[1] - exact.place(end.X(i)[1])) / height);
+      const double depth = top - exact.place(end.X(i)[1]);
+      pressure = std::max(pressure, std::abs(p(i) - weight * depth) / (weight * height));
       pores += n(i) / double(end.size());
+      const double s = exact.stretch(end.X(i)[1]);
+      pores_exact += (1 - (1 - run.number("porosity")) / s) / double(end.size());
+    }
+    for (int i = 0; i <= 40; ++i) {
+      line.push_back(i / 40.0);
+      curve.push_back(exact.place(line.back() * height) / height);
     }
     out.value("place error", place);
-    out.value("pressure left", pressure);
-    out.value("porosity", pores, porosity);
+    out.value("pressure error", pressure);
+    out.value("porosity", pores, pores_exact);
     const HistoryRow& last = run.history.back();
     const double area = 2 * run.number("cell");
-    out.value("outflow", last.fluid->outflow / (1000 * area * height), 1 - stretch);
+    out.value("outflow", last.fluid->outflow / (1000 * area * height), 1 - top / height);
     out.value("water balance", std::abs(last.fluid->error));
     out.value("rest", last.kinetic_energy / last.elastic_energy);
-    std::vector<double> T, settled;
-    for (const HistoryRow& row : run.history) {
-      T.push_back(row.time / run.number("unit"));
-      settled.push_back(2 * (row.center[1] - run.history.front().center[1]) / height);
-    }
-    out.figure("Twice the settlement of the centre", "time factor T_v", "over the height")
-        .computed(T, settled);
+    out.figure("Places at the end", "height before, X/H", "height after, y/H")
+        .particles(X, moved)
+        .exact(line, curve);
   }
 };
 

@@ -51,7 +51,6 @@ inline double settlement(double T) {
 struct Case {
   static void measure(const Run& run, Measured& out) {
     const double load = run.number("load"), height = run.number("height");
-    Figure& figure = out.figure("Pore pressure at T_v = 0.1 and 0.5", "p/q", "height z/H");
     for (const int frame : {1, 5}) {
       const double T = 0.1 * frame;
       const ParticleFrame now = run.frame(frame);
@@ -68,7 +67,10 @@ struct Case {
         line.push_back(i / 50.0);
         exact.push_back(dynamic_pressure(line.back(), T, run.number("epsilon")));
       }
-      figure.particles(measured, z).exact(exact, line);
+      out.figure(frame == 1 ? "Pore pressure at T_v = 0.1" : "Pore pressure at T_v = 0.5", "p/q",
+                 "height z/H")
+          .particles(measured, z)
+          .exact(exact, line);
       out.value(frame == 1 ? "pressure error at 0.1" : "pressure error at 0.5",
                 std::sqrt(square / double(now.size())));
     }
