@@ -120,10 +120,15 @@ std::unique_ptr<Device> open_device() {
 
 namespace {
 
+/// "CUDA 13.0".
+std::string version_text() {
+  return "CUDA " + std::to_string(CUDART_VERSION / 1000) + "." +
+         std::to_string(CUDART_VERSION % 1000 / 10);
+}
+
 /// "CUDA 13.0 for 8.0, 9.0".
 std::string build_text() {
-  std::string text = "CUDA " + std::to_string(CUDART_VERSION / 1000) + "." +
-                     std::to_string(CUDART_VERSION % 1000 / 10) + " for ";
+  std::string text = version_text() + " for ";
   bool first = true;
   for (const int architecture : {__CUDA_ARCH_LIST__}) {
     if (!first) text += ", ";
@@ -135,7 +140,7 @@ std::string build_text() {
 
 std::string problem_text(cudaError_t error) {
   if (error == cudaErrorInsufficientDriver) {
-    return "there is no NVIDIA driver, or it is too old for this build (" + build_text() + ")";
+    return "there is no NVIDIA driver, or it is older than " + version_text() + " needs";
   }
   if (error == cudaErrorNoDevice) return "the driver sees none";
   return cudaGetErrorString(error);
