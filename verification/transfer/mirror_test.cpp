@@ -53,9 +53,7 @@ TEST_P(Mirror, face_equals_a_mirror_twin) {
     const State twin = thrown_ball(dimension, GetParam(), FaceType::symmetry, true);
     for (FaceType face : {FaceType::symmetry, FaceType::slip}) {
       const State wall = thrown_ball(dimension, GetParam(), face, false);
-      // See the reference's twin test: gradient-form forces carry rounding of light nodes.
-      const double bound = GetParam().transfer == TransferType::mls ? 1e-12 : 1e-10;
-      EXPECT_LT(distance(twin.x, wall.x), bound) << dimension;
+      EXPECT_LT(distance(twin.x, wall.x), 1e-12) << dimension;
       double turned = -1;
       for (const Vector& v : wall.v) turned = std::max(turned, v[0]);
       EXPECT_GT(turned, -0.5) << "the ball never felt the plane";
@@ -96,9 +94,8 @@ State dropped_block(const Method& method, int shift) {
 TEST_P(Mirror, axes_are_equal) {
   if (GetParam().kernel == KernelType::linear) return;
   const State first = dropped_block(GetParam(), 0);
-  const double bound = GetParam().transfer == TransferType::mls ? 1e-13 : 1e-11;
-  EXPECT_LT(distance(first.x, dropped_block(GetParam(), 1).x), bound);
-  EXPECT_LT(distance(first.x, dropped_block(GetParam(), 2).x), bound);
+  EXPECT_LT(distance(first.x, dropped_block(GetParam(), 1).x), 1e-13);
+  EXPECT_LT(distance(first.x, dropped_block(GetParam(), 2).x), 1e-13);
 }
 
 /// Two disks that collide: in 2D (no layers), or as a slice one cell thick between mirror planes,
@@ -154,8 +151,7 @@ TEST_P(Mirror, slice_equals_plane_strain) {
   for (const int layers : {1, 2, 3}) {
     const SliceErrors coarse = slice_errors(GetParam(), layers, 0.1);
     if (gradient_form || GetParam().kernel == KernelType::quadratic) {
-      // Gradient-form forces carry rounding of light nodes; mls has none of it.
-      EXPECT_LT(coarse.in_plane, gradient_form ? 1e-10 : 1e-12) << layers;
+      EXPECT_LT(coarse.in_plane, 1e-12) << layers;
       EXPECT_LT(coarse.across, 1e-13) << layers;
       EXPECT_LT(coarse.stretch, 1e-13) << layers;
     } else if (layers == 2) {
