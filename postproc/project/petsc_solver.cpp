@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "solver/base/error.hpp"
+#include "solver/base/foreign_leaks.hpp"
 #include "solver/base/problems.hpp"
 
 namespace scree {
@@ -44,6 +45,7 @@ class Session {
     PetscBool running = PETSC_FALSE;
     PetscInitialized(&running);
     own_ = running == PETSC_FALSE;
+    overlook_foreign_leaks();
     if (own_ && PetscInitializeNoArguments() != 0) {
       throw RunFault("PETSc and MPI could not be started");
     }

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "solver/base/error.hpp"
+#include "solver/base/foreign_leaks.hpp"
 
 namespace scree {
 namespace {
@@ -37,6 +38,7 @@ void start_petsc() {
     PetscBool running = PETSC_FALSE;
     PetscInitialized(&running);
     if (running == PETSC_TRUE) return;
+    overlook_foreign_leaks();
     check(PetscInitializeNoArguments(), "PetscInitialize");
     PetscPopSignalHandler();  // signals are the run's
     PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);

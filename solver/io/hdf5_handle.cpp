@@ -6,11 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
-#ifdef __SANITIZE_ADDRESS__
-/// HDF5 1.10 does not free a file that it could not flush to a full disk; that is no leak of ours.
-extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5\n"; }
-extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
-#endif
+#include "solver/base/foreign_leaks.hpp"
 
 namespace scree {
 
@@ -32,6 +28,7 @@ herr_t find_system_message(unsigned, const H5E_error2_t* error, void* found) {
 
 void start_hdf5() {
   static const bool started = [] {
+    overlook_foreign_leaks();
     H5dont_atexit();
     H5open();
     return H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
