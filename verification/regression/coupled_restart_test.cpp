@@ -5,6 +5,7 @@
 
 #include "solver/io/memory_archive.hpp"
 #include "verification/support/consolidation.hpp"
+#include "verification/support/final_state.hpp"
 
 namespace scree::testing {
 namespace {
@@ -49,16 +50,6 @@ SimulationSetup scene(int dimension, int spacing) {
   return setup;
 }
 
-MemoryArchive end_of(SimulationSetup setup, int threads) {
-  setup.threads = threads;
-  const Schedule schedule = setup.schedule;
-  const auto simulation = Simulation::create(std::move(setup));
-  run(*simulation, schedule);
-  MemoryArchive archive;
-  simulation->save(archive);
-  return archive;
-}
-
 struct Case {
   int dimension, spacing;
 };
@@ -80,7 +71,7 @@ TEST_P(CoupledRestart, continues_bitwise) {
 
 TEST_P(CoupledRestart, threads_do_not_matter) {
   const SimulationSetup setup = scene(GetParam().dimension, GetParam().spacing);
-  EXPECT_TRUE(end_of(setup, 1) == end_of(setup, 3));
+  EXPECT_TRUE(final_state(setup, 1) == final_state(setup, 3));
 }
 
 INSTANTIATE_TEST_SUITE_P(all, CoupledRestart,

@@ -3,9 +3,8 @@
 // The number of threads changes no bit, the path of a step only rounding.
 #include <gtest/gtest.h>
 
-#include "solver/io/memory_archive.hpp"
 #include "verification/support/effort.hpp"
-#include "verification/support/scene.hpp"
+#include "verification/support/final_state.hpp"
 
 namespace scree::testing {
 namespace {
@@ -29,16 +28,6 @@ SimulationSetup collision(int dimension, const Method& method) {
   const double end = method.kernel == KernelType::linear ? 0.012 : slow_build ? 0.02 : 0.06;
   setup.schedule = Schedule(end, end / 6, 0, 0);
   return setup;
-}
-
-MemoryArchive final_state(SimulationSetup setup, int threads) {
-  setup.threads = threads;
-  const Schedule schedule = setup.schedule;
-  const auto simulation = Simulation::create(std::move(setup));
-  run(*simulation, schedule);
-  MemoryArchive archive;
-  simulation->save(archive);
-  return archive;
 }
 
 class Threads : public ::testing::TestWithParam<Method> {};
