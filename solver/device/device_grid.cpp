@@ -67,10 +67,8 @@ NodePass<T> DeviceGrid<D, T>::node_pass(const GridForces& forces) const {
   pass.blocks = grid_.topology().size();
   pass.block_nodes = grid_.lattices() * block_node_count<D>;
   for (int a = 0; a < D; ++a) pass.kick[a] = T(forces.dt * forces.gravity[std::size_t(a)]);
-  if (forces.damping == DampingType::mass) {
-    pass.keep = T(1 / (1 + forces.dt * forces.damping_value));
-  }
-  pass.local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
+  pass.keep = T(forces.kept());
+  pass.local = T(forces.opposed());
   return pass;
 }
 

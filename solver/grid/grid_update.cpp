@@ -183,9 +183,7 @@ void GridUpdate<D, T>::update_block(const Grid<D, T>& grid, std::int64_t block, 
                                     const GridForces& forces, std::vector<Collider>& colliders) {
   const std::size_t records = grid.block_values() / node_values;
   const std::size_t first = std::size_t(block) * records * node_values;
-  const T keep =
-      forces.damping == DampingType::mass ? T(1 / (1 + forces.dt * forces.damping_value)) : T(1);
-  const T local = forces.damping == DampingType::local ? T(forces.damping_value) : T(0);
+  const T keep = T(forces.kept()), local = T(forces.opposed());
   divide_by_mass(p + first, records, keep);
   if (q != nullptr) divide_by_mass_of<D>(p + first, q + first, records);
   // (m v - m v_old)/dt = f + R - m value v: R stops what the damping has left of v, and 1/keep of

@@ -20,6 +20,11 @@ struct GridForces {
   DampingType damping = DampingType::none;
   double damping_value = 0;     ///< local: fraction; mass: 1/s
   bool separate_force = false;  ///< channel 1 holds impulses, channel 0 momenta before forces
+
+  /// Share of a velocity that mass damping leaves in the step.
+  double kept() const { return damping == DampingType::mass ? 1 / (1 + dt * damping_value) : 1; }
+  /// Share of the unbalanced force that local damping turns against the velocity.
+  double opposed() const { return damping == DampingType::local ? damping_value : 0; }
 };
 
 /// Force and torque (about its reference point) on a collider in a step: what the material exerts,

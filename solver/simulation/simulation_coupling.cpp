@@ -165,13 +165,12 @@ void SimulationImpl<D, T>::couple_flow() {
   FlowStep<D> step;
   step.dt = clock_.dt;
   step.end = clock_.next_time;
-  if (setup_.gravity) step.gravity = setup_.gravity(clock_.time + 0.5 * clock_.dt);
+  const GridForces forces = grid_forces();
+  step.gravity = forces.gravity;
   step.decisions.faces = &grid.update->faces();
   step.decisions.pairs = &grid.update->pairs();
   step.decisions.folded = &grid.update->folded();
-  if (setup_.damping == DampingType::mass) {
-    step.decisions.keep = 1 / (1 + clock_.dt * setup_.damping_value);
-  }
+  step.decisions.keep = forces.kept();
   step.colliders = &colliders_;
   step.touch = 64 * double(std::numeric_limits<T>::epsilon());
   flow_->solve(step, velocity, backend_->grid().topology(), executor_.pool());

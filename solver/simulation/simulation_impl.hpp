@@ -71,6 +71,7 @@ class SimulationImpl final : public Simulation {
   void step_fused();
   void step_split();
   void bin_if_needed();
+  GridForces grid_forces() const;
   void update_grid();
   void scatter_all(double dt);
   void update_external();

@@ -88,16 +88,22 @@ void SimulationImpl<D, T>::scatter_all(double dt) {
   time_phase(Phase::particles, start);
 }
 
+/// What acts on the nodes in this step, gravity at its middle.
 template <int D, class T>
-void SimulationImpl<D, T>::update_grid() {
-  const auto start = Clock::now();
+GridForces SimulationImpl<D, T>::grid_forces() const {
   GridForces forces;
   forces.dt = clock_.dt;
   if (setup_.gravity) forces.gravity = setup_.gravity(clock_.time + 0.5 * clock_.dt);
   forces.damping = setup_.damping;
   forces.damping_value = setup_.damping_value;
   forces.separate_force = separate_;
-  backend_->update_grid(forces, colliders_);
+  return forces;
+}
+
+template <int D, class T>
+void SimulationImpl<D, T>::update_grid() {
+  const auto start = Clock::now();
+  backend_->update_grid(grid_forces(), colliders_);
   time_phase(Phase::grid, start);
 }
 
