@@ -16,6 +16,10 @@ namespace {
 
 constexpr const char* prefix = "scree_p_";
 
+/// PETSc serves one thread at a time: runs beside each other in a process (`scree verify`) take
+/// turns.
+std::mutex petsc;
+
 /// The sentence of PETSc's last error; its handler is told to be silent.
 void check(PetscErrorCode code, const char* what) {
   if (code == 0) return;
@@ -71,7 +75,10 @@ struct PressureSolver::State {
   bool set_up = false;
   bool options_used = false;  ///< it is known that PETSc has used all of them
 
-  ~State() { destroy(true); }
+  ~State() {
+    const std::lock_guard turn(petsc);
+    destroy(true);
+  }
 
   void destroy(bool solver) {
     PetscBool over = PETSC_FALSE;
@@ -87,6 +94,7 @@ struct PressureSolver::State {
 PressureSolver::PressureSolver(const std::string& preconditioner, double tolerance,
                                const std::string& options)
     : state_(std::make_unique<State>()) {
+  const std::lock_guard turn(petsc);
   start_petsc();
   State& s = *state_;
   if (!options.empty()) {
@@ -109,6 +117,7 @@ PressureSolver::~PressureSolver() = default;
 
 void PressureSolver::set_pattern(const std::vector<std::int32_t>& row_begin,
                                  const std::vector<std::int32_t>& columns) {
+  const std::lock_guard turn(petsc);
   State& s = *state_;
   s.destroy(false);
   const PetscInt n = PetscInt(row_begin.size()) - 1;
@@ -132,6 +141,7 @@ void PressureSolver::set_pattern(const std::vector<std::int32_t>& row_begin,
 
 SolveReport PressureSolver::solve(const std::vector<double>& values, const std::vector<double>& b,
                                   std::vector<double>& x) {
+  const std::lock_guard turn(petsc);
   State& s = *state_;
   check(MatSetValuesCOO(s.matrix, values.data(), INSERT_VALUES), "MatSetValuesCOO");
   check(VecPlaceArray(s.b, b.data()), "VecPlaceArray");

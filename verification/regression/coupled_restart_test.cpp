@@ -3,6 +3,11 @@
 // Coupled pore water: bitwise the same from a checkpoint, and for any number of threads.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <optional>
+#include <thread>
+#include <vector>
+
 #include "solver/io/memory_archive.hpp"
 #include "verification/support/consolidation.hpp"
 #include "verification/support/final_state.hpp"
@@ -72,6 +77,17 @@ TEST_P(CoupledRestart, continues_bitwise) {
 TEST_P(CoupledRestart, threads_do_not_matter) {
   const SimulationSetup setup = scene(GetParam().dimension, GetParam().spacing);
   EXPECT_TRUE(final_state(setup, 1) == final_state(setup, 3));
+}
+
+/// PETSc is not made for several threads: runs beside each other must take turns.
+TEST_P(CoupledRestart, runs_beside_each_other_do_not_meet) {
+  const SimulationSetup setup = scene(GetParam().dimension, GetParam().spacing);
+  const MemoryArchive alone = final_state(setup, 1);
+  std::array<std::optional<MemoryArchive>, 3> ends;
+  std::vector<std::thread> threads;
+  for (auto& end : ends) threads.emplace_back([&] { end = final_state(setup, 1); });
+  for (std::thread& thread : threads) thread.join();
+  for (const auto& end : ends) EXPECT_TRUE(end && *end == alone);
 }
 
 INSTANTIATE_TEST_SUITE_P(all, CoupledRestart,
