@@ -86,17 +86,21 @@ class CudaGroup {
     }
   }
 
+  /// (One running number: the end is read anew each time rather than kept in a register.)
   template <class F>
   SCREE_FN void each_batch(F&& f) {
-    const int first = data_.batch_begin[block_];
-    const int count = data_.counts[block_];
-    for (int p = device::thread(); p < count; p += device::threads()) {
-      f(Batch{first * width + p});
+    int lane = data_.batch_begin[block_] * width + device::thread();
+    while (lane < data_.batch_begin[block_] * width + data_.counts[block_]) {
+      f(Batch{lane});
+      lane += device::threads();
     }
   }
 
   SCREE_FN V load(const Batch& b, int field) const {
     return entry(data_.particles, data_.fields, b)[field * width];
+  }
+  SCREE_FN V load_again(const Batch& b, int field, V) const {
+    return *static_cast<const volatile T*>(entry(data_.particles, data_.fields, b) + field * width);
   }
   SCREE_FN void store(const Batch& b, int field, V x) {
     entry(data_.particles, data_.fields, b)[field * width] = x;
@@ -105,7 +109,7 @@ class CudaGroup {
     return entry(data_.aux, data_.layout.total, b)[field * width];
   }
   SCREE_FN void store_aux(const Batch& b, int field, V x) {
-    entry(data_.aux, data_.layout.total, b)[field * width] = x;
+    entry(data_.aux, data_.layout.total, b)[device::not_ahead(field) * width] = x;
   }
 
   SCREE_FN bool active(const Batch&) const { return true; }
@@ -189,7 +193,9 @@ class CudaGroup {
     if (!device::claim(&result.fault, FaultCode::none, code)) return;
     result.fault_id = data_.ids[b.lane];
     result.fault_value = value;
-    for (int a = 0; a < D; ++a) result.fault_position[a] = u[a];
+    // A law reports after the position was stored, and need not keep it.
+    const bool stored = code == FaultCode::inadmissible_state;
+    for (int a = 0; a < D; ++a) result.fault_position[a] = stored ? load_again(b, a, u[a]) : u[a];
   }
 
   SCREE_FN void remove(bool mask, const Batch& b) {

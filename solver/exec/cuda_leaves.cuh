@@ -44,6 +44,15 @@ SCREE_FN void barrier([[maybe_unused]] CallPlace at = SCREE_CALL_PLACE) {
 #endif
 }
 
+/// i, but the compiler may not work out ahead of a loop what hangs on it, and keep the result in a
+/// register.
+SCREE_FN int not_ahead(int i) {
+#ifdef __CUDA_ARCH__
+  asm volatile("" : "+r"(i));
+#endif
+  return i;
+}
+
 /// *p += x while others do the same.
 template <class T>
 SCREE_FN void add([[maybe_unused]] T* p, [[maybe_unused]] T x) {
