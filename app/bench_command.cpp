@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/backend_choice.hpp"
 #include "app/bench_materials.hpp"
 #include "app/bench_measure.hpp"
 #include "app/bench_suite.hpp"
@@ -68,9 +69,9 @@ void print_json(const BenchOptions& options, const BenchResult& r) {
 
 void print_text(const BenchOptions& options, const BenchResult& r) {
   const double per_particle = 1e9 * r.time.seconds / (double(r.particles) * r.steps);
-  fmt::print("{} {}D, {} {}, {} path, {} thread{}: {} particles, {} steps\n", options.case_name,
-             options.dimension, options.kernel, options.precision, options.path, r.threads,
-             r.threads == 1 ? "" : "s", r.particles, r.steps);
+  fmt::print("{} {}D, {} {}, {} path, {}, {} thread{}: {} particles, {} steps\n", options.case_name,
+             options.dimension, options.kernel, options.precision, options.path, options.backend,
+             r.threads, r.threads == 1 ? "" : "s", r.particles, r.steps);
   fmt::print("  particle updates   {:9.2f} million/s ({:.2f} a thread)\n",
              r.updates_per_second() / 1e6, r.updates_per_second() / 1e6 / r.threads);
   fmt::print("  step               {:9.3f} ms, {:.0f} % of the threads' time at work\n",
@@ -90,22 +91,24 @@ void print_text(const BenchOptions& options, const BenchResult& r) {
 }  // namespace
 
 int bench_command(const BenchOptions& options) {
-  if (options.backend != "cpu") {
-    throw UserError("--backend " + options.backend + ": this build runs on the cpu only");
-  }
+  BenchOptions chosen = options;
+  chosen.backend = choose_backend(options.backend).name;
   if (options.material_only) {
+    if (chosen.backend != "cpu") {
+      throw UserError("--material-only measures laws on the processor; use --backend cpu");
+    }
     print_material_costs(options.json);
     return 0;
   }
   if (options.suite) {
-    run_bench_suite(options);
+    run_bench_suite(chosen);
     return 0;
   }
-  const BenchResult result = measure(options);
+  const BenchResult result = measure(chosen);
   if (options.json) {
-    print_json(options, result);
+    print_json(chosen, result);
   } else {
-    print_text(options, result);
+    print_text(chosen, result);
   }
   return 0;
 }

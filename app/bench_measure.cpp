@@ -7,8 +7,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "app/backend_choice.hpp"
 #include "app/bench_case.hpp"
 #include "app/machine_info.hpp"
+#include "solver/simulation/simulation_on_device.hpp"
 
 namespace scree {
 namespace {
@@ -33,7 +35,7 @@ BenchRun::BenchRun(const BenchOptions& options) : options_(options) {
   const auto start = Clock::now();
   SimulationSetup setup = build_bench_case(options);
   threads_ = setup.threads = thread_count(options.threads);
-  simulation_ = Simulation::create(std::move(setup));
+  simulation_ = create_on_device(std::move(setup), choose_backend(options.backend).device);
   set_up_seconds_ = seconds_since(start);
 }
 

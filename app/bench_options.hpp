@@ -16,7 +16,7 @@ struct BenchOptions {
   std::string kernel = "compact";      ///< compact, quadratic
   std::string path = "fused";          ///< fused, split
   int threads = 0;                     ///< 0: all cores
-  std::string backend = "cpu";         ///< cpu, cuda
+  std::string backend = "cpu";         ///< auto, cpu, cuda
   bool material_only = false;          ///< what the laws cost by themselves
   bool suite = false;                  ///< table of cases, sweep of sizes and memory bandwidth
   bool quick = false;                  ///< the suite with tiny sizes, to see that it works

@@ -32,7 +32,10 @@ void make_quick(SuitePlan& plan) {
 SuitePlan suite_plan(const BenchOptions& options, const MachineInfo& machine) {
   SuitePlan plan;
   const int all = options.threads > 0 ? options.threads : machine.threads;
-  plan.table.threads = all == 1 ? std::vector<int>{1} : std::vector<int>{1, all};
+  // A GPU's rate does not hang on the threads of the processor, nor on its memory.
+  const bool one_row = all == 1 || options.backend != "cpu";
+  plan.table.threads = one_row ? std::vector<int>{all} : std::vector<int>{1, all};
+  plan.table.backend = plan.sweep.backend = options.backend;
   plan.table.particles = options.particles;
   plan.sweep.threads = plan.table.threads;
   plan.sweep.particles = {10'000, 100'000, 1'000'000, 10'000'000};
@@ -61,8 +64,9 @@ void run_bench_suite(const BenchOptions& options) {
   const SuitePlan plan = suite_plan(options, result.machine);
   say(machine_text(result.machine));
   if (plan.quick) say("quick: sizes so small that the figures mean nothing\n");
-  say(bandwidth_head(plan));
+  if (options.backend == "cpu") say(bandwidth_head(plan));
   for (const int threads : plan.table.threads) {
+    if (options.backend != "cpu") break;
     result.bandwidth.push_back(
         measure_bandwidth(threads, plan.array_bytes, plan.bandwidth_repeats));
     say(bandwidth_text(result.bandwidth.back()));

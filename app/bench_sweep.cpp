@@ -50,6 +50,7 @@ Sweep measure_sweep(const SweepPlan& plan, const SweepReport& report) {
         options.particles = particles;
         options.precision = precision;
         options.threads = threads;
+        options.backend = plan.backend;
         sweep.points.push_back(measure_point(options, plan.repeats));
         report(sweep.points.back());
       }

@@ -34,6 +34,7 @@ struct SweepPlan {
   std::int64_t flat_from = 100'000;     ///< sizes from here on must cost the same a particle
   double allowed_spread = 0.15;         ///< of them, (largest - least)/least
   std::vector<int> threads;             ///< increasing
+  std::string backend = "cpu";
   RepeatPlan repeats;
 };
 

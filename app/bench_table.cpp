@@ -18,6 +18,7 @@ std::vector<TableRow> measure_case(const TablePlan& plan, const std::string& cas
       options.precision = precision;
       options.kernel = kernel;
       options.threads = threads;
+      options.backend = plan.backend;
       owned.push_back(std::make_unique<BenchRun>(options));
       runs.push_back(owned.back().get());
     }

@@ -27,6 +27,7 @@ struct TableRow {
 struct TablePlan {
   std::int64_t particles = 1'000'000;
   std::vector<int> threads;  ///< increasing
+  std::string backend = "cpu";
   RepeatPlan repeats;
 };
 

@@ -162,8 +162,8 @@ void add_bench(CommandLine& line) {
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   bench.add_option("--backend", options.backend, "Where to compute (default: cpu)")
-      ->check(CLI::IsMember({"cpu", "cuda"}))
-      ->type_name("cpu|cuda");
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->type_name("auto|cpu|cuda");
   bench.add_flag("--json", options.json, "Print one JSON object and nothing else");
   bench.callback([&line] { line.action = [&line] { return bench_command(line.bench); }; });
 }

@@ -12,6 +12,7 @@
 #include "postproc/project/petsc_solver.hpp"
 #include "solver/base/problems.hpp"
 #include "solver/deck/library_versions.hpp"
+#include "solver/device/gpus.hpp"
 #include "solver/io/library_versions.hpp"
 
 namespace scree {
@@ -33,12 +34,15 @@ std::string options_text() {
   return options.empty() ? "none" : join(options);
 }
 
-std::string cuda_text() {
-#ifdef SCREE_CUDA
-  return "kernels compiled; runs do not use them in this version";
-#else
-  return "not in this build (configure with -DSCREE_CUDA=ON)";
-#endif
+std::string cuda_text(const GpuList& found) {
+  if (!found.compiled) return found.problem;
+  if (found.gpus.empty()) return fmt::format("{}; no GPU: {}", found.build, found.problem);
+  std::vector<std::string> gpus;
+  for (const Gpu& gpu : found.gpus) {
+    gpus.push_back(fmt::format("{} ({}.{}, {:.1f} GB, {} multiprocessors)", gpu.name, gpu.major,
+                               gpu.minor, double(gpu.memory) * 1e-9, gpu.processors));
+  }
+  return fmt::format("{}; {}", found.build, join(gpus));
 }
 
 void line(const std::string& name, const std::string& value) {
@@ -61,9 +65,10 @@ int info_command() {
   std::vector<std::string> models;
   for (const MaterialEntry& model : material_registry()) models.push_back(model.name);
   line("materials", join(models));
-  line("backends", "cpu");
+  const GpuList found = find_gpus();
+  line("backends", found.compiled ? "cpu, cuda" : "cpu");
   line("cpu", fmt::format("{} threads", thread_count(0)));
-  line("cuda", cuda_text());
+  line("cuda", cuda_text(found));
   for (const auto& [name, version] : deck_library_versions()) line(name, version);
   line("CLI11", CLI11_VERSION);
   line("fmt", fmt_version());

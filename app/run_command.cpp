@@ -10,6 +10,7 @@
 #include <new>
 #include <utility>
 
+#include "app/backend_choice.hpp"
 #include "app/build_simulation.hpp"
 #include "app/deck_warnings.hpp"
 #include "app/machine_info.hpp"
@@ -26,6 +27,7 @@
 #include "solver/deck/deck.hpp"
 #include "solver/io/checkpoint.hpp"
 #include "solver/io/durable_file.hpp"
+#include "solver/simulation/simulation_on_device.hpp"
 
 namespace scree {
 
@@ -54,12 +56,6 @@ FolderMode folder_mode(const RunOptions& options) {
   return options.overwrite ? FolderMode::overwrite : FolderMode::fresh;
 }
 
-std::string chosen_backend(const std::string& asked) {
-  if (asked == "auto" || asked == "cpu") return "cpu";
-  throw UserError(
-      fmt::format("--backend {} cannot run a deck in this version; use --backend cpu", asked));
-}
-
 std::vector<std::string> collider_names(const Deck& deck) {
   std::vector<std::string> names;
   for (const ColliderSpec& collider : deck.colliders) names.push_back(collider.name);
@@ -80,6 +76,7 @@ class Run {
  private:
   RunIdentity identity() const;
   void build();
+  void choose_backend();
   void open_files();
   RunEnd advance();
   void after_step();
@@ -94,6 +91,7 @@ class Run {
   Deck deck_;
   FolderMode mode_;
   fs::path path_;
+  BackendChoice backend_;
   StopSignals signals_;
   std::unique_ptr<CheckpointReader> checkpoint_;
   Schedule schedule_;
@@ -114,7 +112,6 @@ Run::Run(const RunOptions& options, Deck deck)
   record_.version = build_info::version;
   record_.title = deck_.title;
   record_.deck = deck_.path;
-  record_.backend = chosen_backend(options.backend);
   record_.threads = thread_count(options.threads);
   record_.end_time = deck_.time.end;
   record_.cite = citations(deck_);
@@ -124,18 +121,32 @@ RunIdentity Run::identity() const {
   return {resolved_toml(deck_), record_.backend, record_.version};
 }
 
+/// `auto` goes on where the run has begun.
+void Run::choose_backend() {
+  std::string asked = options_.backend;
+  if (asked == "auto" && checkpoint_) asked = checkpoint_->text("run/backend");
+  backend_ = scree::choose_backend(asked, [this](const MemoryNeed& need) {
+    if (!options_.quiet) fmt::print("{}\n", memory_need_text(need));
+  });
+  record_.backend = backend_.name;
+  if (backend_.device && !options_.quiet) {
+    warn({"the GPU backend has been tested in emulation only, not on a GPU"});
+  }
+}
+
 /// All that can fail because of the input, before anything is written.
 void Run::build() {
   RunFolder::check(path_, mode_);
   if (mode_ == FolderMode::resume) {
     checkpoint_ = std::make_unique<CheckpointReader>(path_ / "checkpoint.h5");
-    check_identity(*checkpoint_, identity());
   }
+  choose_backend();
+  if (checkpoint_) check_identity(*checkpoint_, identity());
   SimulationSetup setup = build_setup(deck_);
   setup.threads = record_.threads;
   schedule_ = setup.schedule;
   if (!options_.quiet && !checkpoint_) warn(deck_warnings(deck_, setup));
-  simulation_ = Simulation::create(std::move(setup));
+  simulation_ = create_on_device(std::move(setup), backend_.device);
   if (checkpoint_) {
     simulation_->load(*checkpoint_);
   } else {
@@ -265,7 +276,8 @@ int Run::execute() {
   if (!options_.quiet) {
     fmt::print("{}\n{} particles, {}, {} thread{} -> {}\n",
                deck_.title.empty() ? deck_.name : deck_.title, simulation_->particle_count(),
-               record_.backend, record_.threads, record_.threads == 1 ? "" : "s", path_.string());
+               backend_text(backend_), record_.threads, record_.threads == 1 ? "" : "s",
+               path_.string());
     std::fflush(stdout);
   }
   try {

@@ -42,4 +42,6 @@ function(scree_add_cuda_kernels)
     target_compile_options(scree_cuda_kernels PRIVATE $<$<COMPILE_LANGUAGE:CUDA>:-Werror=all-warnings>)
   endif()
   target_link_libraries(scree_core PRIVATE scree_cuda_kernels)
+  # The one unit of C++ that asks; a definition for all would make two builds of each unit.
+  set_source_files_properties("${CMAKE_SOURCE_DIR}/solver/device/gpus.cpp" PROPERTIES COMPILE_DEFINITIONS SCREE_CUDA=1)
 endfunction()

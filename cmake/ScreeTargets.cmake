@@ -50,9 +50,6 @@ if(SCREE_ASSERTIONS)
   target_compile_definitions(scree_flags INTERFACE SCREE_ASSERTIONS=1 _GLIBCXX_ASSERTIONS=1)
   target_compile_options(scree_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-UNDEBUG>)
 endif()
-if(SCREE_CUDA)
-  target_compile_definitions(scree_flags INTERFACE SCREE_CUDA=1)
-endif()
 
 # What `scree info` prints about this build.
 set(SCREE_COMMIT "")

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "materials/material.hpp"
-#include "solver/base/polar.hpp"
+#include "solver/base/stretch.hpp"
 
 namespace scree {
 
@@ -68,9 +68,8 @@ struct FixedCorotated {
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T /*dt*/) {
     s.F = detail::advance_gradient(L, s.F);
-    const Mat3<V> stretch = s.F - polar_rotation(s.F);
-    const Sym3<V> shear = sym(stretch * transpose(s.F));
     const V J = det(s.F);
+    const Sym3<V> shear = stretch_excess(s.F, symmetric_product(s.F), J);
     return detail::plus_diagonal(shear * broadcast<V>(2 * p.mu), p.lambda * J * (J - T(1)));
   }
 

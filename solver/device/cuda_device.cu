@@ -11,6 +11,9 @@ namespace scree {
 inline namespace cuda {
 namespace {
 
+/// For runs_kernels().
+__global__ void probe() {}
+
 /// The current GPU; all work goes to its default stream, in order.
 class CudaDevice final : public Device {
  public:
@@ -115,13 +118,53 @@ std::unique_ptr<Device> open_device() {
 
 }  // namespace cuda
 
+namespace {
+
+/// "CUDA 13.0".
+std::string version_text() {
+  return "CUDA " + std::to_string(CUDART_VERSION / 1000) + "." +
+         std::to_string(CUDART_VERSION % 1000 / 10);
+}
+
+/// "CUDA 13.0 for 8.0, 9.0".
+std::string build_text() {
+  std::string text = version_text() + " for ";
+  bool first = true;
+  for (const int architecture : {__CUDA_ARCH_LIST__}) {
+    if (!first) text += ", ";
+    first = false;
+    text += std::to_string(architecture / 100) + "." + std::to_string(architecture % 100 / 10);
+  }
+  return text;
+}
+
+std::string problem_text(cudaError_t error) {
+  if (error == cudaErrorInsufficientDriver) {
+    return "there is no NVIDIA driver, or it is older than " + version_text() + " needs";
+  }
+  if (error == cudaErrorNoDevice) return "the driver sees none";
+  return cudaGetErrorString(error);
+}
+
+/// Whether the current GPU can load a kernel of this build.
+bool runs_kernels() {
+  cudaFuncAttributes attributes;
+  const bool loads = cudaFuncGetAttributes(&attributes, probe) == cudaSuccess;
+  (void)cudaGetLastError();
+  return loads;
+}
+
+}  // namespace
+
 GpuList find_gpus() {
   GpuList found;
+  found.compiled = true;
+  found.build = build_text();
   int count = 0;
   const cudaError_t error = cudaGetDeviceCount(&count);
   if (error != cudaSuccess) {
     (void)cudaGetLastError();
-    found.problem = cudaGetErrorString(error);
+    found.problem = problem_text(error);
     return found;
   }
   for (int i = 0; i < count; ++i) {
@@ -131,9 +174,15 @@ GpuList find_gpus() {
                           std::int64_t(properties.totalGlobalMem), properties.multiProcessorCount});
   }
   if (found.gpus.empty()) found.problem = "the driver reports none";
+  if (!found.gpus.empty() && !runs_kernels()) {
+    found.problem = found.gpus[0].name + " cannot run this build's kernels (" + found.build + ")";
+    found.gpus.clear();
+  }
   return found;
 }
 
-std::shared_ptr<const DeviceToolkit> gpu_toolkit() { return cuda::make_toolkit(); }
+std::shared_ptr<const DeviceToolkit> gpu_toolkit(MemoryNeedReport on_need) {
+  return cuda::make_toolkit(std::move(on_need));
+}
 
 }  // namespace scree

@@ -10,6 +10,15 @@
 #include "solver/base/error.hpp"
 
 namespace scree {
+namespace {
+
+std::vector<std::uint64_t> sorted_without_doubles(std::vector<std::uint64_t> keys) {
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+}  // namespace
 
 template <int D, class T>
 DeviceBackend<D, T>::DeviceBackend(const BackendConfig<D>& config, const AuxLayout& layout,
@@ -19,6 +28,7 @@ DeviceBackend<D, T>::DeviceBackend(const BackendConfig<D>& config, const AuxLayo
       layout_(layout),
       bodies_(bodies),
       pool_(pool),
+      toolkit_(toolkit),
       device_(toolkit.open()),
       kernels_(toolkit.parts<D, T>().kernels()),
       grid_(*device_, *kernels_, config),
@@ -30,30 +40,35 @@ DeviceBackend<D, T>::DeviceBackend(const BackendConfig<D>& config, const AuxLayo
   resize_read_back(0);
 }
 
-/// What the run will need at least must fit before anything is allocated.
+/// What the run's start will take.
 template <int D, class T>
-void DeviceBackend<D, T>::check_memory() const {
-  std::int64_t particles = 0;
-  std::int64_t bytes = 0;
-  std::int64_t blocks = 0;
+MemoryNeed DeviceBackend<D, T>::memory_need() const {
+  MemoryNeed need;
+  need.free = std::int64_t(device_->free_memory());
+  std::vector<std::uint64_t> occupied;
   for (const BodyState<D, T>& state : bodies_) {
     const ParticleStore<D, T>& store = state.body->store();
-    const auto of_body = std::int64_t(store.blocks().size());
-    particles += store.count();
-    blocks += of_body;
-    bytes += DeviceParticles<D, T>::needed_bytes(store.count(), of_body, store.fields(),
-                                                 store.aux_fields());
+    for (const auto& block : store.blocks()) occupied.push_back(block.key);
+    need.particles += store.count();
+    need.bytes += DeviceParticles<D, T>::needed_bytes(
+        store.count(), std::int64_t(store.blocks().size()), store.fields(), store.aux_fields());
   }
-  const std::int64_t channels = 2;  // two of fused steps, or momenta and impulses
-  bytes += blocks * std::int64_t(grid_.blocks().block_values() * sizeof(T)) * channels;
-  const auto free = std::int64_t(device_->free_memory());
-  if (bytes <= free) return;
-  throw UserError(
-      fmt::format("{} particles need at least {:.1f} GB of the device's memory ({} bytes each); {} "
-                  "has {:.1f} GB "
-                  "free",
-                  particles, double(bytes) * 1e-9, bytes / std::max<std::int64_t>(particles, 1),
-                  device_->name(), double(free) * 1e-9));
+  need.bytes += grid_.needed_bytes(sorted_without_doubles(std::move(occupied)));
+  return need;
+}
+
+/// It must fit before anything is allocated.
+template <int D, class T>
+void DeviceBackend<D, T>::check_memory() const {
+  const MemoryNeed need = memory_need();
+  toolkit_.tell(need);
+  if (need.bytes <= need.free) return;
+  throw UserError(fmt::format(
+      "{} particles need at least {:.2f} GB of the device's memory ({} bytes each), and {} "
+      "has {:.2f} GB free; use fewer particles, precision = \"single\", or --backend cpu",
+      need.particles, double(need.bytes) * 1e-9,
+      need.bytes / std::max<std::int64_t>(need.particles, 1), device_->name(),
+      double(need.free) * 1e-9));
 }
 
 template <int D, class T>
@@ -95,9 +110,7 @@ void DeviceBackend<D, T>::find_blocks(bool carry) {
   for (const DeviceParticles<D, T>& particles : particles_) {
     occupied.insert(occupied.end(), particles.keys().begin(), particles.keys().end());
   }
-  std::sort(occupied.begin(), occupied.end());
-  occupied.erase(std::unique(occupied.begin(), occupied.end()), occupied.end());
-  grid_.rebuild(occupied, carry);
+  grid_.rebuild(sorted_without_doubles(std::move(occupied)), carry);
   for (DeviceParticles<D, T>& particles : particles_) {
     particles.find_grid_blocks(grid_.blocks().topology());
   }

@@ -20,7 +20,8 @@ class DeviceBackend final : public Backend<D, T> {
   using typename Backend<D, T>::Bodies;
   using typename Backend<D, T>::Parameters;
 
-  /// setups: those of the bodies, for their laws. bodies and pool must outlive the backend.
+  /// setups: those of the bodies, for their laws. bodies, pool and toolkit must outlive the
+  /// backend.
   DeviceBackend(const BackendConfig<D>& config, const AuxLayout& layout, Bodies& bodies,
                 ThreadPool& pool, const DeviceToolkit& toolkit,
                 const std::vector<BodySetup>& setups);
@@ -46,6 +47,7 @@ class DeviceBackend final : public Backend<D, T> {
   std::int64_t other_bytes() const override;
 
  private:
+  MemoryNeed memory_need() const;
   void check_memory() const;
   void find_blocks(bool carry);
   PassData<D, T> pass_data(std::size_t body, const PassParameters<T>& parameters) const;
@@ -60,6 +62,7 @@ class DeviceBackend final : public Backend<D, T> {
   AuxLayout layout_;
   Bodies& bodies_;
   ThreadPool& pool_;
+  const DeviceToolkit& toolkit_;
   std::unique_ptr<Device> device_;
   std::unique_ptr<DeviceKernels<D, T>> kernels_;
   std::vector<std::unique_ptr<DeviceLaw<D, T>>> laws_;

@@ -132,6 +132,16 @@ std::int64_t DeviceGrid<D, T>::bytes() const {
                               from_block_.bytes() + block_mass_.bytes());
 }
 
+template <int D, class T>
+std::int64_t DeviceGrid<D, T>::needed_bytes(const std::vector<std::uint64_t>& occupied) const {
+  Topology<D> topology;
+  topology.build(occupied, config_.domain);
+  const int channels = config_.fused || config_.separate_force ? 2 : 1;
+  const auto of_block = std::int64_t(channels * grid_.block_values() * sizeof(T) +
+                                     neighbour_count<D> * sizeof(std::int32_t) + sizeof(double));
+  return std::int64_t(topology.size()) * of_block;
+}
+
 template class DeviceGrid<2, float>;
 template class DeviceGrid<2, double>;
 template class DeviceGrid<3, float>;

@@ -34,6 +34,8 @@ class DeviceGrid {
   const Grid<D, T>& blocks() const { return grid_; }
   const std::int32_t* neighbours() const { return neighbours_.data(); }
   std::int64_t bytes() const;
+  /// Memory of the channels and tables if these blocks hold particles (sorted) [bytes].
+  std::int64_t needed_bytes(const std::vector<std::uint64_t>& occupied) const;
 
   DeviceArray<T> current;  ///< momenta, after update() velocities
   DeviceArray<T> next;     ///< fused: the grid scattered to

@@ -248,7 +248,8 @@ std::int64_t DeviceParticles<D, T>::needed_bytes(std::int64_t particles, std::in
   const std::int64_t lanes =
       particles + blocks * width / 2;  // the last batch of a block is half full
   const std::int64_t of_lane = 2 * (std::int64_t(sizeof(T)) * (fields + aux_fields) + 8);
-  constexpr std::int64_t of_sort = 2 * (8 + 4);
+  constexpr std::int64_t of_sort =
+      3 * (8 + 4);  // keys and lanes, runs of keys, the sort's own copy
   return lanes * (of_lane + of_sort) + blocks * std::int64_t(sizeof(BlockResult<T>) + 4 * (4 + D));
 }
 

@@ -3,6 +3,7 @@
 #include "solver/device/gpus.hpp"
 
 #include "solver/base/error.hpp"
+#include "solver/device/toolkit.hpp"
 
 #ifndef SCREE_CUDA
 namespace scree {
@@ -12,9 +13,9 @@ constexpr const char* reason = "this build has no CUDA; configure with -DSCREE_C
 
 }  // namespace
 
-GpuList find_gpus() { return {{}, reason}; }
+GpuList find_gpus() { return {{}, reason, false, {}}; }
 
-std::shared_ptr<const DeviceToolkit> gpu_toolkit() {
+std::shared_ptr<const DeviceToolkit> gpu_toolkit(MemoryNeedReport) {
   throw UserError(std::string("no GPU: ") + reason);
 }
 

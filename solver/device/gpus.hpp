@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "solver/device/toolkit.hpp"
+#include "solver/device/memory_need.hpp"
 
 namespace scree {
+
+class DeviceToolkit;
 
 /// A GPU of this machine.
 struct Gpu {
@@ -23,12 +25,14 @@ struct Gpu {
 struct GpuList {
   std::vector<Gpu> gpus;
   std::string problem;
+  bool compiled = false;  ///< this build has CUDA
+  std::string build;      ///< with what, "CUDA 13.0 for 8.0, 9.0"; empty without
 };
 
 /// Never throws: a machine without GPU or driver is an answer.
 GpuList find_gpus();
 
-/// The kernels for GPUs. Throws UserError in a build without CUDA.
-std::shared_ptr<const DeviceToolkit> gpu_toolkit();
+/// The kernels for GPUs. Throws UserError in a build without CUDA. on_need: as for DeviceToolkit.
+std::shared_ptr<const DeviceToolkit> gpu_toolkit(MemoryNeedReport on_need);
 
 }  // namespace scree

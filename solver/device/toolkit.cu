@@ -29,6 +29,7 @@ struct Parts final : DeviceParts<D, T> {
 };
 
 struct Toolkit final : DeviceToolkit {
+  using DeviceToolkit::DeviceToolkit;
   std::string name() const override {
 #ifdef __CUDACC__
     return "cuda";
@@ -52,8 +53,8 @@ struct Toolkit final : DeviceToolkit {
 
 }  // namespace SCREE_SIDE
 
-std::shared_ptr<const DeviceToolkit> SCREE_SIDE::make_toolkit() {
-  return std::make_shared<SCREE_SIDE::Toolkit>();
+std::shared_ptr<const DeviceToolkit> SCREE_SIDE::make_toolkit(MemoryNeedReport on_need) {
+  return std::make_shared<SCREE_SIDE::Toolkit>(std::move(on_need));
 }
 
 }  // namespace scree

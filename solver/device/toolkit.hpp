@@ -5,9 +5,11 @@
 #include <memory>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "solver/device/device.hpp"
 #include "solver/device/kernels.hpp"
+#include "solver/device/memory_need.hpp"
 
 namespace scree {
 
@@ -25,9 +27,14 @@ class DeviceParts {
 /// All that a run needs of a kind of device.
 class DeviceToolkit {
  public:
+  /// on_need: told the need before it is allocated; may be empty.
+  explicit DeviceToolkit(MemoryNeedReport on_need) : on_need_(std::move(on_need)) {}
   virtual ~DeviceToolkit() = default;
   virtual std::string name() const = 0;  ///< cuda, emulated
   virtual std::unique_ptr<Device> open() const = 0;
+  void tell(const MemoryNeed& need) const {
+    if (on_need_) on_need_(need);
+  }
 
   template <int D, class T>
   const DeviceParts<D, T>& parts() const {
@@ -43,6 +50,9 @@ class DeviceToolkit {
   virtual const DeviceParts<2, double>& flat_double() const = 0;
   virtual const DeviceParts<3, float>& solid_single() const = 0;
   virtual const DeviceParts<3, double>& solid_double() const = 0;
+
+ private:
+  MemoryNeedReport on_need_;
 };
 
 }  // namespace scree

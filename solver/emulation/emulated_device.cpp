@@ -7,6 +7,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/device/open_device.cuh"
+#include "solver/emulation/launch.hpp"
 
 namespace scree {
 inline namespace emulated {
@@ -16,7 +17,7 @@ namespace {
 class EmulatedDevice final : public Device {
  public:
   std::string name() const override { return "emulated"; }
-  std::size_t free_memory() const override { return std::size_t(1) << 34; }
+  std::size_t free_memory() const override { return emulation::free_memory(); }
 
   void* allocate(std::size_t bytes, const char* what) override {
     void* p = std::malloc(bytes);

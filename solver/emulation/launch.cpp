@@ -23,6 +23,7 @@ struct ThreadTeam {
 struct Launcher {
   Order order = Order::forward;
   std::int64_t launches = 0;
+  std::size_t free_memory = std::size_t(1) << 34;
   std::unique_ptr<FiberTeam> team;
 };
 
@@ -64,6 +65,10 @@ void run_fibers(const std::function<void()>& body, int block, int blocks, int th
 }  // namespace
 
 void set_order(Order order) { launcher.order = order; }
+
+void set_free_memory(std::size_t bytes) { launcher.free_memory = bytes; }
+
+std::size_t free_memory() { return launcher.free_memory; }
 
 std::int64_t launches() { return launcher.launches; }
 

@@ -26,6 +26,10 @@ void set_order(Order order);
 /// std::logic_error for a defect of the kernel, in one sentence that names it.
 void launch(int blocks, int threads, const std::function<void()>& body);
 
+/// Memory that emulated devices say is free [bytes], from now on; 16 GiB at first.
+void set_free_memory(std::size_t bytes);
+std::size_t free_memory();
+
 /// Launches of this thread so far.
 std::int64_t launches();
 

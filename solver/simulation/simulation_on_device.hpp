@@ -3,13 +3,14 @@
 
 #include <memory>
 
-#include "solver/device/toolkit.hpp"
 #include "solver/simulation/simulation.hpp"
 
 namespace scree {
 
-/// Like Simulation::create, but particles and grid are on a device. Throws UserError where they do
-/// not fit there or a law was not compiled for it.
+class DeviceToolkit;
+
+/// Like Simulation::create, but particles and grid are on a device (null: the processor). Throws
+/// UserError where they do not fit there or a law was not compiled for it.
 std::unique_ptr<Simulation> create_on_device(SimulationSetup setup,
                                              std::shared_ptr<const DeviceToolkit> device);
 

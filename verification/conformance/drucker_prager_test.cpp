@@ -175,6 +175,26 @@ TEST(DruckerPragerTest, MatchesOfTheTable) {
   }
 }
 
+/// Klar's alpha; the friction angle in plane strain of the outer cone of phi, sin phi_ps = M/sqrt 3
+/// (none above 42.22 deg of it); the angle to enter on the outer cone for phi in plane strain,
+/// sin phi_F = 3 M/(6 + M) with M = sqrt 3 sin phi.
+TEST(DruckerPragerTest, AnglesOfTheTable) {
+  const double phis[] = {20, 25, 30, 35, 40};
+  const double alpha[] = {0.210128, 0.267765, 0.326599, 0.386019, 0.445300};
+  const double in_plane[] = {26.471, 34.612, 43.854, 54.972, 70.843};
+  const double to_enter[] = {15.6394, 19.0384, 22.2344, 25.2246, 28.0047};
+  const double m = std::sqrt(27.0 / 2.0);
+  for (int i = 0; i < 5; ++i) {
+    const double outer = cone_slopes(Match::compression, phis[i] * degree, 0).alpha;
+    EXPECT_NEAR(outer, alpha[i], 5e-7);  // half a unit of the last listed digit, here and below
+    EXPECT_NEAR(std::asin(m * outer / std::sqrt(3.0)) / degree, in_plane[i], 5e-4);
+    const double wanted = cone_slopes(Match::plane_strain, phis[i] * degree, 0).alpha;
+    const double entered = std::asin(3 * m * wanted / (6 + m * wanted));
+    EXPECT_NEAR(entered / degree, to_enter[i], 5e-5);
+    EXPECT_NEAR(cone_slopes(Match::compression, entered, 0).alpha, wanted, 1e-15);
+  }
+}
+
 /// Shears in plane strain at constant volume until the stress is steady; the friction angle in the
 /// plane.
 double plane_friction_angle(const Params& p) {

@@ -189,6 +189,18 @@ TEST(NaccTest, HardensInCompactionAndSoftensInDilation) {
   EXPECT_GT(dilating.log_plastic_volume, kAlpha + 1e-4);
 }
 
+/// The paper's pumpkin: E = 2000 Pa, nu = 0.39, alpha0 = -0.04, xi = 3.
+TEST(NaccTest, PreconsolidationOfThePaper) {
+  const auto p = Law::params<double>({2000, 0.39, -0.04, kBeta, 3, kM, 0}, 1000, 3);
+  auto s = Law::initial<double>(p);
+  // Far beyond the tip the return goes to it: the pressure stress there is p0.
+  const Sym3<double> tau = deform(p, s, {0.9, 0.9, 0.9});
+  const double bulk = 2000 / (3 * (1 - 2 * 0.39));
+  EXPECT_NEAR(bulk, 3030.303, 5e-4);
+  EXPECT_NEAR(-(tau.xx + tau.yy + tau.zz) / 3, bulk * std::sinh(3 * 0.04), 1e-9);
+  EXPECT_NEAR(-(tau.xx + tau.yy + tau.zz) / 3, 364.5097, 5e-5);
+}
+
 TEST(NaccTest, YieldValueIsTheListedOne) {
   const auto p = pumpkin();
   auto s = Law::initial<double>(p);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/base/error.hpp"
+#include "solver/emulation/launch.hpp"
 #include "solver/io/memory_archive.hpp"
 #include "verification/device/pair_of_runs.hpp"
 #include "verification/support/effort.hpp"
@@ -153,6 +154,47 @@ TEST(DeviceRuns, faults_are_reported_with_particle_and_place) {
   const std::string sentence = message(*Simulation::create(setup));
   EXPECT_NE(sentence.find("particle 0 (jelly) at "), std::string::npos) << sentence;
   EXPECT_EQ(message(*emulate(setup)), sentence);
+}
+
+/// The need is told before anything is allocated, and is what the start then takes: never more, and
+/// not much less (arrays that grow take an eighth more than asked for).
+TEST(DeviceRuns, memory_is_told_before_it_is_taken) {
+  for (const PathType path : {PathType::fused, PathType::split}) {
+    SimulationSetup setup = two_spheres(2);
+    setup.path = path;
+    MemoryNeed told;
+    const auto simulation = create_on_device(
+        setup, emulated::make_toolkit([&](const MemoryNeed& need) { told = need; }));
+    run(*simulation, setup.schedule);
+    EXPECT_EQ(told.particles, simulation->particle_count());
+    EXPECT_EQ(told.free, std::int64_t(1) << 34);
+    const MemoryReport taken = simulation->memory();
+    EXPECT_LE(told.bytes, taken.grid + taken.other);
+    EXPECT_GE(told.bytes, (taken.grid + taken.other) / 2);
+  }
+}
+
+TEST(DeviceRuns, a_device_that_is_too_small_is_refused) {
+  emulation::set_free_memory(100'000);
+  std::string sentence;
+  try {
+    emulate(two_spheres(2));
+  } catch (const UserError& error) {
+    sentence = error.what();
+  }
+  emulation::set_free_memory(std::size_t(1) << 34);
+  EXPECT_NE(sentence.find("GB of the device's memory"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("emulated has 0.00 GB free"), std::string::npos) << sentence;
+}
+
+/// Or all these comparisons would be of the processor with itself.
+TEST(DeviceRuns, go_through_kernels) {
+  SimulationSetup setup = two_spheres(2);
+  set_steps(setup, 2, 1e-4);
+  const std::int64_t before = emulation::launches();
+  run(*emulate(setup), setup.schedule);
+  // Of each step at least: forces, their sum, division, a fused pass a body, a summary a body.
+  EXPECT_GE(emulation::launches() - before, 2 * 7);
 }
 
 TEST(DeviceRuns, laws_that_were_not_compiled_are_refused) {

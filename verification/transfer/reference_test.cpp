@@ -222,11 +222,7 @@ TEST(ReferenceTransfer, mirror_face_equals_a_mirror_twin) {
           error = std::max(error, (face.particles()[n].x - twin.particles()[2 * n].x).norm());
           pushed = std::max(pushed, face.particles()[n].v[0]);
         }
-        // At the outermost node mass falls like f^3 and the gradient-form force like f^2, so the
-        // rounding of the weight 1 - |x| + sine, 1e-16, reaches the particle amplified where f is
-        // small; mls has no such term.
-        const double bound = method.transfer == Transfer::mls ? 1e-13 : 1e-10;
-        EXPECT_LT(error, bound) << "plane " << plane << " dimension " << dimension;
+        EXPECT_LT(error, 1e-13) << "plane " << plane << " dimension " << dimension;
         EXPECT_GT(pushed, -0.9) << "the ball never felt the plane";
       }
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "app/cli.hpp"
+#include "solver/device/gpus.hpp"
 #include "verification/support/process.hpp"
 #include "verification/support/temporary_folder.hpp"
 #include "verification/unit/broken_deck.hpp"
@@ -80,6 +81,20 @@ TEST(CommandLine, WrongValuesAreTheUsersMistake) {
   EXPECT_EQ(until.status, 2);
   EXPECT_EQ(until.error, "scree: --until 2 m: must be a time in seconds, e.g. 0.5 or \"500 ms\"\n");
   EXPECT_EQ(scree({"bench", "--case", "jelly"}).status, 2);
+}
+
+TEST(CommandLine, CudaWithoutAGpuEndsWith2AndWritesNothing) {
+  if (!find_gpus().gpus.empty()) GTEST_SKIP() << "this machine has a GPU";
+  const TemporaryFolder folder;
+  const std::string deck = (folder.path() / "good.toml").string();
+  std::ofstream(deck) << good_deck;
+  const std::string run = (folder.path() / "run").string();
+  const Outcome outcome =
+      scree({"run", deck.c_str(), "-o", run.c_str(), "--backend", "cuda", "--threads", "1"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.error.rfind("scree: --backend cuda: no GPU: ", 0), 0u) << outcome.error;
+  EXPECT_FALSE(fs::exists(run));
+  EXPECT_EQ(scree({"bench", "--backend", "cuda", "--particles", "64"}).status, 2);
 }
 
 TEST(CommandLine, AFaultyDeckEndsWith2AndWritesNothing) {
