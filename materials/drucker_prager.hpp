@@ -50,7 +50,7 @@ struct DruckerPrager : HenckySolid {
 
   template <class T>
   struct Params {
-    T lambda, mu, density;
+    T lambda, mu, inverse_density;
     T cone;             ///< (3 lambda + 2 mu)/(2 mu) alpha
     T dilation;         ///< a
     T consistency;      ///< 1/(1 + 9 K alpha a/(2 mu))
@@ -80,7 +80,7 @@ struct DruckerPrager : HenckySolid {
                             std::max(1.0, std::pow(slope.base / (slope.base + slope.change), 2));
     return {T(lambda),
             T(mu),
-            T(density),
+            T(1) / T(density),
             T(ratio * alpha),
             T(a),
             T(1 / (1 + 3 * ratio * alpha * a)),
@@ -179,7 +179,7 @@ struct DruckerPrager : HenckySolid {
       flow = flow / (T(1) - loss);
     }
     const V stiffness = detail::hencky_stiffness(p.lambda, p.mu, bounds) + flow;
-    return sqrt(stiffness * (T(1) / p.density));
+    return sqrt(stiffness * p.inverse_density);
   }
 
  private:

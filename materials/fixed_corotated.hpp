@@ -42,13 +42,13 @@ struct FixedCorotated {
 
   template <class T>
   struct Params {
-    T lambda, mu, density;
+    T lambda, mu, inverse_density;
   };
 
   template <class T>
   static Params<T> params(const Input& in, double density, int /*dimension*/) {
     const LameConstants c = lame_constants(in.youngs_modulus, in.poissons_ratio);
-    return {T(c.lambda), T(c.mu), T(density)};
+    return {T(c.lambda), T(c.mu), T(1) / T(density)};
   }
 
   template <class V>
@@ -85,7 +85,7 @@ struct FixedCorotated {
     const V square = detail::eigenvalue_bounds(symmetric_product(s.F)).upper;
     const V J = det(s.F);
     const V stiffness = (2 * p.mu) * max(square, T(0.5) * sqrt(square)) + abs(p.lambda) * J * J;
-    return sqrt(stiffness * (T(1) / p.density));
+    return sqrt(stiffness * p.inverse_density);
   }
 
   template <class V, class T>

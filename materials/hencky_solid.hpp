@@ -14,7 +14,7 @@ struct HenckySolid {
   /// a wave_speed of their own.
   template <class P, class S>
   SCREE_FN static auto wave_speed(const P& p, const S& s) {
-    using T = decltype(P::density);
+    using T = decltype(P::lambda);
     const auto stiffness = detail::hencky_stiffness(p.lambda, p.mu, detail::strain_bounds(s.F));
     return sqrt(stiffness * (T(1) / p.density));
   }
@@ -31,7 +31,7 @@ struct HenckySolid {
 
   template <class P, class S>
   SCREE_FN static auto admissible(const P&, const S& s) {
-    return det(s.F) > detail::PolarLimits<decltype(P::density)>::det_min;
+    return det(s.F) > detail::PolarLimits<decltype(P::lambda)>::det_min;
   }
 };
 

@@ -30,8 +30,8 @@ SCREE_FN Sym3<V> total(const Sym3<V>& effective, const V& volume_ratio, const V&
 /// rho0 c^2 of direction n: J^2 psi'' n n^T with psi' = -u, psi'' = K_u/J. Eigenvalues of a sum are
 /// at most the sum of the largest ones.
 template <class V, class T>
-SCREE_FN V wave_speed(const V& skeleton, const V& volume_ratio, T bulk_modulus, T density) {
-  return sqrt(skeleton * skeleton + (bulk_modulus / density) * max(volume_ratio, broadcast<V>(0)));
+SCREE_FN V wave_speed(const V& skeleton, const V& volume_ratio, T bulk_over_density) {
+  return sqrt(skeleton * skeleton + bulk_over_density * max(volume_ratio, broadcast<V>(0)));
 }
 
 /// Elastic energy of the water per reference volume [J/m^3] since its pressure was zero. The work

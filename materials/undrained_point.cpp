@@ -28,7 +28,8 @@ class UndrainedPoint final : public MaterialPoint {
            pore_water::energy_density(volume_ratio(), pressure_, bulk_modulus_);
   }
   double wave_speed() const override {
-    return pore_water::wave_speed(skeleton_->wave_speed(), volume_ratio(), bulk_modulus_, density_);
+    return pore_water::wave_speed(skeleton_->wave_speed(), volume_ratio(),
+                                  bulk_modulus_ / density_);
   }
   bool admissible() const override { return skeleton_->admissible(); }
   std::optional<double> yield_value() const override { return skeleton_->yield_value(); }

@@ -105,6 +105,8 @@ class CpuGroup {
 
   V load(const Batch& b, int field) const { return scree::load<V>(b.particle + field * width); }
   void store(const Batch& b, int field, const V& x) { scree::store(b.particle + field * width, x); }
+  /// x, what the store holds in that field: a group short of registers reads it anew.
+  V load_again(const Batch&, int, const V& x) const { return x; }
   V load_aux(const Batch& b, int field) const { return scree::load<V>(b.aux + field * width); }
   void store_aux(const Batch& b, int field, const V& x) { scree::store(b.aux + field * width, x); }
 

@@ -114,6 +114,7 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
     require_exists(field >= 0 && field < data_.fields, "reads particle field", field);
     return Base::load(b, field);
   }
+  V load_again(const Batch& b, int field, const V&) const { return load(b, field); }
   void store(const Batch& b, int field, const V& x) {
     valid(b);
     require_exists(field >= 0 && field < data_.fields, "writes particle field", field);

@@ -171,6 +171,7 @@ PassParameters<T> SimulationImpl<D, T>::pass_parameters(const State& state, doub
     par.wrap_lower[a] = periodic ? T(0) : -far;
     par.wrap_upper[a] = periodic ? n : far;
   }
+  par.derive();
   return par;
 }
 

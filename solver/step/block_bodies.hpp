@@ -111,6 +111,7 @@ SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
       store_stress(g, b, data.layout, tau);
     }
     const Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
+    for (int c = 0; c < D; ++c) u[c] = g.load_again(b, c, u[c]);
     Transfer::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion, impulse, false,
                       live);
   });

@@ -74,7 +74,7 @@ class MaterialBody final : public Body<D, T> {
     const BodyInfo& info = this->info();
     if (!has_water(info)) return speed + diffusion;
     return pore_water::wave_speed(speed, Material::volume_ratio(exact_, state),
-                                  info.undrained_bulk_modulus, info.density);
+                                  info.undrained_bulk_modulus / info.density);
   }
 
   void evaluate(const T* batch, int active, double* volume_ratio,

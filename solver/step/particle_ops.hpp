@@ -68,9 +68,8 @@ SCREE_FN void store_stress(G& g, const typename G::Batch& b, const AuxLayout& la
 template <class V, int D, class T>
 SCREE_FN Impulse<V, D> make_impulse(const PassParameters<T>& par, const Sym3<V>& tau) {
   Impulse<V, D> impulse;
-  const T scale = -par.dt_next * par.particle_volume / par.cell_size;
   for (int c = 0; c < D; ++c) {
-    for (int a = 0; a < D; ++a) impulse.stress[c][a] = tau(c, a) * scale;
+    for (int a = 0; a < D; ++a) impulse.stress[c][a] = tau(c, a) * par.impulse_scale;
     impulse.external[c] = broadcast<V>(T(0));
   }
   return impulse;
@@ -91,7 +90,7 @@ SCREE_FN Impulse<V, D> make_impulse(const PassParameters<T>& par, const Sym3<V>&
 /// dt/dx for particles, 0 for padding lanes, which must neither move nor deform.
 template <class V, class G, class T>
 SCREE_FN V step_over_cell(const G& g, const typename G::Batch& b, const PassParameters<T>& par) {
-  return select(g.active(b), broadcast<V>(par.dt / par.cell_size), broadcast<V>(T(0)));
+  return select(g.active(b), broadcast<V>(par.step_over_cell), broadcast<V>(T(0)));
 }
 
 /// dt grad v as a 3x3 matrix; in 2D the third row and column vanish (plane strain).
@@ -132,7 +131,7 @@ SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<
   const MaskOf<V> finite = speed < broadcast<V>(T(1e30));
   const MaskOf<V> inside = stray <= broadcast<V>(T(max_excursion));
   g.fault(active & !finite, FaultCode::not_finite, speed, u, b);
-  g.fault(active & !inside, FaultCode::moved_too_far, speed * (par.dt / par.cell_size), u, b);
+  g.fault(active & !inside, FaultCode::moved_too_far, speed * par.step_over_cell, u, b);
   g.fault(active & (beyond > broadcast<V>(T(0))), FaultCode::left_domain, beyond, u, b);
   g.note_motion(active, speed, stray);
   const MaskOf<V> gone = leaving > broadcast<V>(T(0));
@@ -158,8 +157,7 @@ SCREE_FN void add_pore_water(G& g, const typename G::Batch& b, int field,
   const V pressure = pore_water::advance(g.load(b, field), par.undrained_bulk_modulus, increment);
   g.store(b, field, pressure);
   tau = pore_water::total(tau, volume_ratio, pressure);
-  wave_speed = pore_water::wave_speed(wave_speed, volume_ratio, par.undrained_bulk_modulus,
-                                      par.particle_mass / par.particle_volume);
+  wave_speed = pore_water::wave_speed(wave_speed, volume_ratio, par.water_stiffness);
 }
 
 /// Loads the material state, applies dt grad v, stores it and returns the Kirchhoff stress [Pa],

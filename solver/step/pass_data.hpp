@@ -58,6 +58,18 @@ struct PassParameters {
   T closed_upper[3];
   T wrap_lower[3];  ///< a particle outside these counts as a stray (periodic faces) [cells]
   T wrap_upper[3];
+
+  // What derive() makes of the numbers above; on a GPU a division is too dear to be made by each
+  // particle, and a register too dear to keep its result.
+  T step_over_cell = 0;   ///< dt/dx [s/m]
+  T impulse_scale = 0;    ///< -dt_next V0/dx: stress -> impulse [m^2 s] (2D: m s)
+  T water_stiffness = 0;  ///< undrained_bulk_modulus over density [m^2/s^2]
+
+  void derive() {
+    step_over_cell = dt / cell_size;
+    impulse_scale = -dt_next * particle_volume / cell_size;
+    water_stiffness = undrained_bulk_modulus / (particle_mass / particle_volume);
+  }
 };
 
 /// Flat view of a body's particles and of the grid: all that a pass needs, plain pointers.

@@ -59,6 +59,7 @@ struct BlockScene {
     par.dt = par.dt_next = T(0.05);  // cells of 1 m and speeds near 1 m/s: strays stay below 1/4
     par.particle_mass = T(0.7);
     par.particle_volume = T(0.1);
+    par.derive();
     for (int a = 0; a < 3; ++a) {
       par.alive_lower[a] = par.closed_lower[a] = par.wrap_lower[a] = T(-1e30);
       par.alive_upper[a] = par.closed_upper[a] = par.wrap_upper[a] = T(1e30);
