@@ -61,7 +61,8 @@ void Recorder::add_samples(std::unique_ptr<Sampler> sampler, int stream) {
 }
 
 void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names) {
-  history_ = HistoryWriter::create(history_path_, collider_names, simulation.coupled());
+  history_ = HistoryWriter::create(history_path_,
+                                   {collider_names, simulation.coupled(), simulation.loaded()});
   for (const auto& samples : samples_) samples->sampler->begin(simulation);
   record(simulation);
 }
@@ -85,8 +86,9 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
     samples->table =
         CsvWriter::resume(folder_ / samples->sampler->file(), "", simulation.step_count());
   }
-  history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count(),
-                                   simulation.coupled());
+  history_ = HistoryWriter::resume(history_path_,
+                                   {collider_names, simulation.coupled(), simulation.loaded()},
+                                   simulation.step_count());
   history_time_ = time;
 }
 
