@@ -52,9 +52,9 @@ Run run_on(const std::shared_ptr<const DeviceToolkit>& device) {
 }
 
 TEST(DeviceCases, run_on_the_device_that_was_chosen) {
-  const Run cpu = run_on(nullptr);
+  const verify::Run cpu = run_on(nullptr);
   const std::int64_t before = emulation::launches();
-  const Run device = run_on(emulated::make_toolkit());
+  const verify::Run device = run_on(emulated::make_toolkit());
   EXPECT_GT(emulation::launches(), before);
   ASSERT_EQ(cpu.history.size(), 3u);
   ASSERT_EQ(device.history.size(), 3u);
