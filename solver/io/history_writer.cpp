@@ -28,9 +28,10 @@ std::vector<std::string> history_columns(const HistoryParts& parts) {
     for (const char* axis : {"x", "y", "z"}) names.push_back(fmt::format("{}_{}", vector, axis));
   }
   names.insert(names.end(), {"kinetic_energy", "elastic_energy", "max_speed"});
-  if (parts.fluid) {
+  if (parts.drains) {
     names.insert(names.end(),
                  {"fluid_mass", "fluid_outflow", "fluid_balance_error", "pressure_iterations"});
+    for (const std::string& drain : *parts.drains) names.push_back("fluid_outflow_" + drain);
   }
   if (parts.loads) names.emplace_back("external_work");
   for (const std::string& collider : parts.colliders) {
@@ -45,10 +46,9 @@ std::vector<std::string> history_columns(const HistoryParts& parts) {
 }
 
 HistoryWriter::HistoryWriter(CsvWriter file, const HistoryParts& parts)
-    : file_(std::move(file)),
-      collider_count_(parts.colliders.size()),
-      fluid_(parts.fluid),
-      loads_(parts.loads) {}
+    : file_(std::move(file)), collider_count_(parts.colliders.size()), loads_(parts.loads) {
+  if (parts.drains) drain_count_ = parts.drains->size();
+}
 
 HistoryWriter HistoryWriter::create(const fs::path& path, const HistoryParts& parts) {
   return HistoryWriter(CsvWriter::create(path, header_line(parts)), parts);
@@ -64,8 +64,11 @@ void HistoryWriter::add(const HistoryRow& row) {
       row.collider_work.size() != collider_count_) {
     throw std::logic_error("history row with another number of colliders than the header");
   }
-  if (row.fluid.has_value() != fluid_) {
+  if (row.fluid.has_value() != drain_count_.has_value()) {
     throw std::logic_error("history row with pore water where the header has none, or without");
+  }
+  if (row.fluid && row.fluid->surfaces.size() != *drain_count_) {
+    throw std::logic_error("history row with another number of drained surfaces than the header");
   }
   if (row.external_work.has_value() != loads_) {
     throw std::logic_error("history row with the work of loads where the header has none, or not");
@@ -82,6 +85,7 @@ void HistoryWriter::add(const HistoryRow& row) {
     const double numbers[3] = {row.fluid->mass, row.fluid->outflow, row.fluid->error};
     append_numbers(line, numbers, 3);
     fmt::format_to(std::back_inserter(line), ",{}", row.fluid->iterations);
+    append_numbers(line, row.fluid->surfaces.data(), int(row.fluid->surfaces.size()));
   }
   if (row.external_work) append_numbers(line, &*row.external_work, 1);
   for (std::size_t c = 0; c < collider_count_; ++c) {

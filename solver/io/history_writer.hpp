@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,14 @@
 
 namespace scree {
 
+/// Names of the drained surfaces of pore water that flows, in the deck's order; nothing: no such
+/// water.
+using DrainNames = std::optional<std::vector<std::string>>;
+
 /// What a run has beside its particles.
 struct HistoryParts {
   std::vector<std::string> colliders;  ///< names: columns of force, torque and work each
-  bool fluid = false;                  ///< pore water that flows: its balance
+  DrainNames drains = std::nullopt;    ///< balance of the water, outflow of each surface
   bool loads = false;                  ///< tractions or body forces: their work
 };
 
@@ -45,7 +50,8 @@ class HistoryWriter {
 
   CsvWriter file_;
   std::size_t collider_count_ = 0;
-  bool fluid_ = false, loads_ = false;
+  std::optional<std::size_t> drain_count_;  ///< nothing: no pore water that flows
+  bool loads_ = false;
 };
 
 }  // namespace scree

@@ -64,6 +64,9 @@ struct SimulationSetup {
   TransferType transfer = TransferType::mls;
   PathType path = PathType::automatic;
   double flip_blend = 1;
+  /// Runs on a device give the same bits every time; they take the split path. (Those on the
+  /// processor always do.)
+  bool deterministic = false;
   double cfl = 0.4;
   std::optional<double> step;  ///< fixed step [s]; still shortened to hit events
   std::function<std::array<double, 3>(double t)> gravity;  ///< [m/s^2]; empty = none

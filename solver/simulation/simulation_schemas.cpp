@@ -179,6 +179,12 @@ Schema<MethodSpec> make_method_schema() {
       .when("transfer", {"flip"})
       .fallback(0.95)
       .doc("Share of flip; the rest is pic.");
+  s.flag("deterministic", &MethodSpec::deterministic)
+      .fallback(false)
+      .doc(
+          "The same bits in every run on a GPU, too, where sums are then in fixed point and the "
+          "step "
+          "is split in two passes, which is slower. Runs on the processor always are.");
   add_loads(s);
   s.check({"kernel", "transfer"}, singular_transfer);
   s.cite(

@@ -75,8 +75,9 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
                                      std::shared_ptr<const DeviceToolkit> device)
     : setup_(std::move(setup)),
       device_(std::move(device)),
-      fused_(setup_.path == PathType::automatic ? can_fuse(setup_)
-                                                : setup_.path == PathType::fused),
+      fused_(setup_.path == PathType::automatic
+                 ? can_fuse(setup_) && !(device_ && setup_.deterministic)
+                 : setup_.path == PathType::fused),
       separate_(needs_separate_force(setup_)),
       layout_(make_layout()),
       executor_(setup_.threads),
@@ -85,6 +86,9 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
     throw UserError(
         "the fused path needs transfer mls with the compact or quadratic kernel, without "
         "local damping, tractions, body forces and coupling");
+  }
+  if (fused_ && device_ && setup_.deterministic) {
+    throw UserError("deterministic runs on a device take the split path");
   }
   for (const ColliderSpec& spec : setup_.colliders)
     colliders_.emplace_back(spec, D, setup_.cell_size);
@@ -146,6 +150,7 @@ std::unique_ptr<Backend<D, T>> SimulationImpl<D, T>::make_backend() {
   config.transfer = setup_.transfer;
   config.fused = fused_;
   config.separate_force = separate_;
+  config.deterministic = setup_.deterministic;
   config.domain = domain_;
   config.faces = make_faces();
   config.lower = setup_.lower;
