@@ -39,6 +39,7 @@ class SimulationImpl final : public Simulation {
   std::int64_t removed_count() const override { return removed_; }
   bool fused() const override { return fused_; }
   bool coupled() const override { return flow_ != nullptr; }
+  bool loaded() const override { return external_ != nullptr; }
   StepLimit step_limit() const override;
   HistoryRow history() const override;
   using Simulation::particles;
@@ -75,6 +76,9 @@ class SimulationImpl final : public Simulation {
   void update_grid();
   void scatter_all(double dt);
   void update_external();
+  double external_power() const;
+  double external_work(double power_at_end) const;
+  void note_collider_work();
   void finish_step();
   PassParameters<T> pass_parameters(const State& state, double dt, double dt_next) const;
   Parameters parameters(double dt, double dt_next) const;
@@ -130,6 +134,9 @@ class SimulationImpl final : public Simulation {
   std::unique_ptr<Backend<D, T>> backend_;  ///< refers to bodies_ and executor_
   std::vector<Collider> colliders_;
   std::unique_ptr<ExternalForce> external_;
+  double external_work_ = 0;   ///< of the loads on particles up to the last step's start [J]
+  double external_power_ = 0;  ///< of the same loads at that start [W]
+  std::vector<double> collider_work_;     ///< done on the particles since t = 0 [J]
   std::unique_ptr<CoupledFlow<D>> flow_;  ///< pore water, where there is any
   std::vector<double> reference_;         ///< X by particle id, 3 each [m]
   StepClock clock_;
