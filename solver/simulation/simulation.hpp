@@ -21,6 +21,7 @@
 #include "solver/simulation/method.hpp"
 #include "solver/simulation/schedule.hpp"
 #include "solver/simulation/step_limit.hpp"
+#include "solver/simulation/volumetric_locking.hpp"
 
 namespace scree {
 
@@ -64,6 +65,7 @@ struct SimulationSetup {
   TransferType transfer = TransferType::mls;
   PathType path = PathType::automatic;
   double flip_blend = 1;
+  VolumetricLocking volumetric_locking = VolumetricLocking::none;  ///< fbar takes the split path
   double cfl = 0.4;
   std::optional<double> step;  ///< fixed step [s]; still shortened to hit events
   std::function<std::array<double, 3>(double t)> gravity;  ///< [m/s^2]; empty = none

@@ -60,6 +60,9 @@ class SimulationImpl final : public Simulation {
   GridDomain<D> make_domain() const;
   Faces<D> make_faces() const;
   AuxLayout make_layout() const;
+  bool averages() const { return setup_.volumetric_locking == VolumetricLocking::fbar; }
+  int volume_ratio_field() const { return averages() ? layout_.total - 1 : -1; }
+  void start_volume_ratios(State& state);
   std::unique_ptr<Backend<D, T>> make_backend();
   void add_body(const BodySetup& setup, std::int32_t index);
   void place_particles(const BodySetup& setup, State& state);
@@ -74,6 +77,7 @@ class SimulationImpl final : public Simulation {
   GridForces grid_forces() const;
   void update_grid();
   void scatter_all(double dt);
+  void average_volumes(const Parameters& pass);
   void update_external();
   void finish_step();
   PassParameters<T> pass_parameters(const State& state, double dt, double dt_next) const;

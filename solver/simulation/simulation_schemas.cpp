@@ -179,6 +179,14 @@ Schema<MethodSpec> make_method_schema() {
       .when("transfer", {"flip"})
       .fallback(0.95)
       .doc("Share of flip; the rest is pic.");
+  s.choice("volumetric_locking", &MethodSpec::volumetric_locking,
+           {{"none", VolumetricLocking::none}, {"fbar", VolumetricLocking::fbar}})
+      .fallback(VolumetricLocking::none)
+      .doc(
+          "fbar: laws see changes of volume averaged over the nodes around a particle, so that "
+          "nearly incompressible materials (plastic flow without change of volume, undrained clay, "
+          "Poisson's ratio near 0.5) flow under their own load, not a multiple of it. Computed by "
+          "the processor, in separate passes; not with [coupling].");
   add_loads(s);
   s.check({"kernel", "transfer"}, singular_transfer);
   s.cite(
