@@ -195,9 +195,13 @@ void add_verify(CommandLine& line) {
       .add_option("-o,--output", options.output,
                   "Folder of the report (default: runs/verify, or runs/verify-full)")
       ->type_name("DIR");
-  verify.add_option("--threads", options.threads, "Runs at a time (default: all cores)")
+  verify
+      .add_option("--threads", options.threads, "Runs at a time (default: all cores; on a GPU 1)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
+  verify.add_option("--backend", options.backend, "Where to compute (default: cpu)")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->type_name("auto|cpu|cuda");
   verify.callback([&line] { line.action = [&line] { return line.verify_command(line.verify); }; });
 }
 

@@ -14,6 +14,10 @@ namespace scree {
 
 namespace {
 
+DrainNames drains_of(const Simulation& simulation, const std::vector<std::string>& names) {
+  return simulation.coupled() ? DrainNames(names) : std::nullopt;
+}
+
 /// Adds the wall time of a scope to a sum.
 class Stopwatch {
  public:
@@ -60,14 +64,17 @@ void Recorder::add_samples(std::unique_ptr<Sampler> sampler, int stream) {
   samples_.push_back(std::make_unique<Samples>(Samples{std::move(sampler), stream, {}}));
 }
 
-void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names) {
-  history_ = HistoryWriter::create(history_path_, collider_names, simulation.coupled());
+void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names,
+                     const std::vector<std::string>& drain_names) {
+  history_ =
+      HistoryWriter::create(history_path_, collider_names, drains_of(simulation, drain_names));
   for (const auto& samples : samples_) samples->sampler->begin(simulation);
   record(simulation);
 }
 
 void Recorder::resume(const Simulation& simulation, const StateReader& checkpoint,
-                      const std::vector<std::string>& collider_names) {
+                      const std::vector<std::string>& collider_names,
+                      const std::vector<std::string>& drain_names) {
   const double time = simulation.time();
   taken_step_ = simulation.step_count();
   saved_time_ = time;
@@ -86,7 +93,7 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
         CsvWriter::resume(folder_ / samples->sampler->file(), "", simulation.step_count());
   }
   history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count(),
-                                   simulation.coupled());
+                                   drains_of(simulation, drain_names));
   history_time_ = time;
 }
 

@@ -62,6 +62,12 @@ std::vector<std::string> collider_names(const Deck& deck) {
   return names;
 }
 
+std::vector<std::string> drain_names(const Deck& deck) {
+  std::vector<std::string> names;
+  for (const DrainageSpec& drainage : deck.drainage) names.push_back(drainage.name);
+  return names;
+}
+
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& text : warnings) fmt::print(stderr, "scree: warning: {}\n", text);
 }
@@ -173,10 +179,10 @@ void Run::open_files() {
                                          frame_filter(deck_.output, deck_.domain.dimension));
   add_records(deck_, *recorder_);
   if (checkpoint_) {
-    recorder_->resume(*simulation_, *checkpoint_, collider_names(deck_));
+    recorder_->resume(*simulation_, *checkpoint_, collider_names(deck_), drain_names(deck_));
     checkpoint_.reset();
   } else {
-    recorder_->start(*simulation_, collider_names(deck_));
+    recorder_->start(*simulation_, collider_names(deck_), drain_names(deck_));
   }
 }
 

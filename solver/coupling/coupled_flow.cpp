@@ -54,7 +54,8 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       start_ratio_(std::size_t(particles), 1.0),
       stored_(std::size_t(particles), 0.0),
       seepage_(std::size_t(particles) * D, 0.0),
-      deformation_(std::size_t(particles) * D * D, 0.0) {
+      deformation_(std::size_t(particles) * D * D, 0.0),
+      outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
   for (std::size_t i = 0; i < deformation_.size(); i += D * D) {
     for (std::size_t a = 0; a < D; ++a) deformation_[i + a * (D + 1)] = 1;
@@ -133,7 +134,7 @@ void CoupledFlow<D>::index_points() {
   for (std::size_t id = 0; id < now.size(); ++id) {
     while (body + 1 < bodies_.size() && std::int64_t(id) >= bodies_[body + 1].first_id) ++body;
     if (point_of_[id] < 0 || now[id] >= 0) continue;
-    outflow_ += fluid_mass(std::int32_t(body), std::int64_t(id), ratio_[id]);
+    left_ += fluid_mass(std::int32_t(body), std::int64_t(id), ratio_[id]);
   }
   point_of_ = std::move(now);
 }
@@ -327,7 +328,7 @@ void CoupledFlow<D>::gather(double dt, const std::array<double, 3>& gravity, Thr
       }
     }
   });
-  outflow_ += surfaces_.outflow(matrix_, solution_, dt);
+  surfaces_.add_outflow(matrix_, solution_, dt, outflow_);
 }
 
 template class CoupledFlow<2>;

@@ -150,7 +150,8 @@ class CoupledFlow {
   std::vector<double> seepage_;      ///< D each [m/s]
   std::vector<double> deformation_;  ///< F since t = 0, D x D each
   double start_mass_ = 0;            ///< of the water [kg]
-  double outflow_ = 0;               ///< [kg]
+  double left_ = 0;                  ///< [kg], of particles that left through open faces
+  std::vector<double> outflow_;      ///< [kg], through each drained surface
   int iterations_ = 0;
 };
 

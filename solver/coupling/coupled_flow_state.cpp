@@ -36,8 +36,10 @@ template <int D>
 FluidBalance CoupledFlow<D>::balance(double mass) const {
   FluidBalance balance;
   balance.mass = mass;
-  balance.outflow = outflow_;
-  balance.error = start_mass_ > 0 ? (mass + outflow_ - start_mass_) / start_mass_ : 0;
+  balance.surfaces = outflow_;
+  balance.outflow = left_;
+  for (const double through : outflow_) balance.outflow += through;
+  balance.error = start_mass_ > 0 ? (mass + balance.outflow - start_mass_) / start_mass_ : 0;
   balance.iterations = iterations_;
   return balance;
 }
@@ -89,7 +91,8 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
   writer.put("coupling/stored", stored_);
   writer.put("coupling/seepage", seepage_);
   writer.put("coupling/deformation", deformation_);
-  writer.put("coupling/water", std::vector<double>{start_mass_, outflow_, double(iterations_)});
+  writer.put("coupling/water", std::vector<double>{start_mass_, left_, double(iterations_)});
+  writer.put("coupling/outflow", outflow_);
   std::vector<std::int32_t> alive;
   for (const std::int32_t point : point_of_) alive.push_back(point >= 0 ? 1 : -1);
   writer.put("coupling/present", alive);
@@ -117,13 +120,16 @@ void CoupledFlow<D>::load(const StateReader& reader) {
   point_of_ = reader.get<std::int32_t>("coupling/present");
   const auto water = reader.get<double>("coupling/water");
   start_mass_ = water.at(0);
-  outflow_ = water.at(1);
+  left_ = water.at(1);
+  const std::size_t surfaces = outflow_.size();
+  outflow_ = reader.get<double>("coupling/outflow");
   iterations_ = int(water.at(2));
   const auto nodes = reader.get<std::int64_t>("coupling/nodes");
   const auto values = reader.get<double>("coupling/nodal_pressure");
   if (pressure_.size() != particles || ratio_.size() != particles ||
       seepage_.size() != D * particles || deformation_.size() != D * D * particles ||
-      point_of_.size() != particles || nodes.size() != values.size()) {
+      point_of_.size() != particles || outflow_.size() != surfaces ||
+      nodes.size() != values.size()) {
     throw RunFault("the checkpoint's pore water does not match this deck");
   }
   nodal_.assign(nodal_.size(), 0.0);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,14 @@
 
 namespace scree {
 
-/// The column names of history.csv, in order; each collider adds its force and torque, pore water
-/// that flows (`fluid`) its balance.
+/// Names of the drained surfaces of pore water that flows, in the deck's order; nothing: no such
+/// water.
+using DrainNames = std::optional<std::vector<std::string>>;
+
+/// The column names of history.csv, in order; pore water that flows adds its balance and the
+/// outflow of each drained surface, each collider its force and torque.
 std::vector<std::string> history_columns(const std::vector<std::string>& collider_names,
-                                         bool fluid = false);
+                                         const DrainNames& drains = std::nullopt);
 
 /// Writes history.csv. A row is handed to the system in one piece as soon as it is added, so a
 /// killed program leaves whole rows. Numbers have the digits that give the same double back.
@@ -22,14 +27,15 @@ class HistoryWriter {
  public:
   /// Starts a new file with the header line. Throws RunFault.
   static HistoryWriter create(const std::filesystem::path& path,
-                              const std::vector<std::string>& collider_names, bool fluid = false);
+                              const std::vector<std::string>& collider_names,
+                              const DrainNames& drains = std::nullopt);
 
   /// Goes on with an existing file after cutting off every row with a step beyond `last_step` and
   /// anything after the last complete row. Throws RunFault if the file is missing or has other
   /// columns.
   static HistoryWriter resume(const std::filesystem::path& path,
                               const std::vector<std::string>& collider_names,
-                              std::int64_t last_step, bool fluid = false);
+                              std::int64_t last_step, const DrainNames& drains = std::nullopt);
 
   /// Adds a row. On failure (disk full) cuts a half-written row off again and throws RunFault.
   void add(const HistoryRow& row);
@@ -38,11 +44,11 @@ class HistoryWriter {
   void sync();
 
  private:
-  HistoryWriter(CsvWriter file, std::size_t collider_count, bool fluid);
+  HistoryWriter(CsvWriter file, std::size_t collider_count, const DrainNames& drains);
 
   CsvWriter file_;
   std::size_t collider_count_ = 0;
-  bool fluid_ = false;
+  std::optional<std::size_t> drain_count_;  ///< nothing: no pore water that flows
 };
 
 }  // namespace scree

@@ -50,6 +50,8 @@ struct FluidBalance {
   double outflow = 0;  ///< that left since t = 0 [kg]
   double error = 0;    ///< (mass + outflow - mass at t = 0) over mass at t = 0
   int iterations = 0;  ///< of the last step's solve for the pressure
+  /// Of `outflow`, what left through each drained surface [kg], in the deck's order.
+  std::vector<double> surfaces;
 };
 
 /// One row of history.csv. Momenta are those of the particles, the angular one with the affine

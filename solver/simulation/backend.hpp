@@ -38,6 +38,7 @@ struct BackendConfig {
   TransferType transfer = TransferType::mls;
   bool fused = true;
   bool separate_force = false;  ///< forces are scattered to channel 1 (flip, local damping)
+  bool deterministic = false;   ///< device, split path: the same bits in every run
   GridDomain<D> domain;
   Faces<D> faces;
   /// Aux field of the volume ratio that average_volumes() keeps; -1: it is not called.

@@ -25,7 +25,8 @@ struct MethodSpec {
       body_force{};  ///< m/s^2, of X, Y, Z (reference), x, y, z, t; not given: none
   DampingSpec damping;
   VolumetricLocking volumetric_locking = VolumetricLocking::none;
-  double flip_blend = 0.95;  ///< flip only: share of the increment, the rest is pic
+  double flip_blend = 0.95;    ///< flip only: share of the increment, the rest is pic
+  bool deterministic = false;  ///< the same bits in every run, on a GPU too
 };
 
 const Schema<DampingSpec>& damping_schema();

@@ -66,6 +66,9 @@ struct SimulationSetup {
   PathType path = PathType::automatic;
   double flip_blend = 1;
   VolumetricLocking volumetric_locking = VolumetricLocking::none;  ///< fbar takes the split path
+  /// Runs on a device give the same bits every time; they take the split path. (Those on the
+  /// processor always do.)
+  bool deterministic = false;
   double cfl = 0.4;
   std::optional<double> step;  ///< fixed step [s]; still shortened to hit events
   std::function<std::array<double, 3>(double t)> gravity;  ///< [m/s^2]; empty = none

@@ -57,6 +57,7 @@ class SimulationImpl final : public Simulation {
   using Parameters = std::vector<PassParameters<T>>;
 
   // simulation_setup.cpp
+  void check_path() const;
   GridDomain<D> make_domain() const;
   Faces<D> make_faces() const;
   AuxLayout make_layout() const;

@@ -75,20 +75,14 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
                                      std::shared_ptr<const DeviceToolkit> device)
     : setup_(std::move(setup)),
       device_(std::move(device)),
-      fused_(setup_.path == PathType::automatic ? can_fuse(setup_)
-                                                : setup_.path == PathType::fused),
+      fused_(setup_.path == PathType::automatic
+                 ? can_fuse(setup_) && !(device_ && setup_.deterministic)
+                 : setup_.path == PathType::fused),
       separate_(needs_separate_force(setup_)),
       layout_(make_layout()),
       executor_(setup_.threads),
       domain_(make_domain()) {
-  if (fused_ && !can_fuse(setup_)) {
-    throw UserError(
-        "the fused path needs transfer mls with the compact or quadratic kernel, without "
-        "local damping, tractions, body forces, coupling and volumetric_locking");
-  }
-  if (averages() && device_) {
-    throw UserError("volumetric_locking is computed by the processor; use the backend cpu");
-  }
+  check_path();
   for (const ColliderSpec& spec : setup_.colliders)
     colliders_.emplace_back(spec, D, setup_.cell_size);
   std::vector<std::int64_t> first_id;
@@ -113,6 +107,22 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
     body = std::move(rest);
   }
   first_step();
+}
+
+/// What the deck's checks leave to this: paths and devices are no keys of it.
+template <int D, class T>
+void SimulationImpl<D, T>::check_path() const {
+  if (fused_ && !can_fuse(setup_)) {
+    throw UserError(
+        "the fused path needs transfer mls with the compact or quadratic kernel, without "
+        "local damping, tractions, body forces, coupling and volumetric_locking");
+  }
+  if (averages() && device_) {
+    throw UserError("volumetric_locking is computed by the processor; use the backend cpu");
+  }
+  if (fused_ && device_ && setup_.deterministic) {
+    throw UserError("deterministic runs on a device take the split path");
+  }
 }
 
 template <int D, class T>
@@ -149,6 +159,7 @@ std::unique_ptr<Backend<D, T>> SimulationImpl<D, T>::make_backend() {
   config.fused = fused_;
   config.separate_force = separate_;
   config.volume_ratio = volume_ratio_field();
+  config.deterministic = setup_.deterministic;
   config.domain = domain_;
   config.faces = make_faces();
   config.lower = setup_.lower;

@@ -58,6 +58,29 @@ TEST(History, ColumnsAreThoseOfTheContract) {
             "plate_torque_x,plate_torque_y,plate_torque_z\n");
 }
 
+TEST(History, WaterThatFlowsHasItsBalanceAndTheOutflowOfEachSurface) {
+  const TemporaryFolder folder;
+  HistoryRow row = sample_row(3);
+  row.fluid = FluidBalance{0.1, 0.3, 1.0 / 3.0, 7, {0.2, 0.1}};
+  row.collider_force_torque = {{1, 2, 3, 4, 5, 6}};
+  HistoryWriter writer =
+      HistoryWriter::create(folder / "history.csv", {"plate"}, DrainNames({"top", "fluid"}));
+  writer.add(row);
+  const auto lines = lines_of(read_text(folder / "history.csv"));
+  EXPECT_NE(
+      lines[0].find(",max_speed,fluid_mass,fluid_outflow,fluid_balance_error,"
+                    "pressure_iterations,fluid_outflow_top,fluid_outflow_fluid,plate_force_x"),
+      std::string::npos);
+  const std::vector<double> numbers = numbers_of(lines[1]);
+  const std::vector<double> expected = {0.1, 0.3, 1.0 / 3.0, 7, 0.2, 0.1, 1};
+  ASSERT_EQ(numbers.size(), 17 + 6 + 6u);
+  EXPECT_EQ(std::vector<double>(numbers.begin() + 17, numbers.begin() + 24), expected);
+  row.fluid->surfaces.pop_back();
+  EXPECT_THROW(writer.add(row), std::logic_error);
+  row.fluid.reset();
+  EXPECT_THROW(writer.add(row), std::logic_error);
+}
+
 TEST(History, NumbersComeBackExactly) {
   const TemporaryFolder folder;
   HistoryRow row = sample_row(3);
