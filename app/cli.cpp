@@ -130,7 +130,7 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
         ->type_name(join(names, "|"))
         ->excludes(suite);
   };
-  choice("--case", options.case_name, {"elastic", "sand", "fluid"}, "What to simulate");
+  choice("--case", options.case_name, {"elastic", "sand", "fluid", "coupled"}, "What to simulate");
   bench.add_option("--dimension", options.dimension, "Of space (default: 3)")
       ->check(CLI::IsMember({2, 3}))
       ->type_name("2|3")
@@ -141,7 +141,7 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
       ->excludes(suite);
   choice("--precision", options.precision, {"double", "single"}, "Floating-point type");
   choice("--kernel", options.kernel, {"compact", "quadratic"}, "Interpolation kernel");
-  choice("--path", options.path, {"fused", "split"}, "How a step is computed");
+  choice("--path", options.path, {"automatic", "fused", "split"}, "How a step is computed");
   const char* material_doc = "Print ns a particle of each material law by itself, on one core";
   bench.add_flag("--material-only", options.material_only, material_doc)->excludes(suite);
 }

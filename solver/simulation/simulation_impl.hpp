@@ -105,6 +105,7 @@ class SimulationImpl final : public Simulation {
   using FlowBlock = typename ParticleStore<D, T>::Block;
   std::int64_t list_flow_chunks(FlowPoints<D>& points, std::vector<const FlowBlock*>& blocks) const;
   void collect_flow_points();
+  void collect_chunk(FlowChunk<D>& chunk, const FlowBlock& block, FlowPoints<D>& points);
   void set_moments(FlowPoints<D>& points) const;
 
   // simulation_clock.cpp
