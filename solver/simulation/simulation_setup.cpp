@@ -5,6 +5,7 @@
 #include "solver/base/error.hpp"
 #include "solver/device/device_backend.hpp"
 #include "solver/simulation/cpu_backend.hpp"
+#include "solver/simulation/periods_of.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 #include "solver/transfer/compact.hpp"
 #include "solver/transfer/quadratic.hpp"
@@ -91,7 +92,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
     throw UserError("deterministic runs on a device take the split path");
   }
   for (const ColliderSpec& spec : setup_.colliders)
-    colliders_.emplace_back(spec, D, setup_.cell_size);
+    colliders_.emplace_back(spec, D, setup_.cell_size, periods_of(setup_));
   std::vector<std::int64_t> first_id;
   std::vector<double> mass;
   for (std::size_t b = 0; b < setup_.bodies.size(); ++b) {
