@@ -295,11 +295,13 @@ void expect_linear_field_kept(KernelType kernel) {
   Lattice<Kernel, D, T> scene;
   Executor executor(1);
   PassData<D, T> data = scene.data();
-  data.read[0] = scene.write[0].data();
+  for (int c = 0; c < 2; ++c) data.read[c] = scene.write[c].data();
   for (const std::int32_t block : {0, 1}) {
     run_volume_scatter(kernel, executor, data, scene.ratio(), {block});
   }
-  form_node_means(scene.grid, FacePairs<D>{}, scene.write[0], executor.pool());
+  for (auto& channel : scene.write) {
+    form_node_means(scene.grid, FacePairs<D>{}, channel, executor.pool());
+  }
   run_volume_gather(kernel, executor, data, scene.ratio(), {0, 1});
   double interior = 0, edge = 0;
   for (const auto& block : scene.store.blocks()) {
