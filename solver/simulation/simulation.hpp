@@ -133,6 +133,7 @@ class Simulation {
   virtual std::int64_t removed_count() const = 0;  ///< particles that left through open faces
   virtual bool fused() const = 0;
   virtual bool coupled() const { return false; }  ///< with pore water that flows
+  virtual bool loaded() const { return false; }   ///< with tractions or body forces
 
   // Valid when the schedule says that history or a frame is due at time().
   virtual HistoryRow history() const = 0;

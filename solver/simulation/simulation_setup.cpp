@@ -85,6 +85,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
   check_path();
   for (const ColliderSpec& spec : setup_.colliders)
     colliders_.emplace_back(spec, D, setup_.cell_size);
+  collider_work_.assign(colliders_.size(), 0);
   std::vector<std::int64_t> first_id;
   std::vector<double> mass;
   for (std::size_t b = 0; b < setup_.bodies.size(); ++b) {

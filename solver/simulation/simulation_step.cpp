@@ -20,6 +20,7 @@ void SimulationImpl<D, T>::step() {
   } else {
     step_split();
   }
+  note_collider_work();
   for (Collider& collider : colliders_) collider.advance(clock_.dt);
   finish_step();
 }
