@@ -32,6 +32,7 @@ class CpuBackend final : public Backend<D, T> {
   void p2g(const Parameters& parameters) override;
   void update_grid(const GridForces& forces, std::vector<Collider>& colliders) override;
   void g2p(const Parameters& parameters) override;
+  void average_volumes(const Parameters& parameters) override;
   void stress(const Parameters& parameters) override;
   void g2p2g(const Parameters& parameters) override;
   PassReport<D> report() override;
@@ -66,9 +67,10 @@ class CpuBackend final : public Backend<D, T> {
   Executor& executor_;
   Grid<D, T> grid_;
   GridUpdate<D, T> grid_update_;
-  AlignedVector<T> current_;  ///< momenta, after update_grid() velocities
-  AlignedVector<T> next_;     ///< fused: the grid scattered to
-  AlignedVector<T> extra_;    ///< channel 1: impulses, then velocity changes
+  AlignedVector<T> current_;     ///< momenta, after update_grid() velocities
+  AlignedVector<T> next_;        ///< fused: the grid scattered to
+  AlignedVector<T> extra_;       ///< channel 1: impulses, then velocity changes
+  AlignedVector<T> volumes_[2];  ///< average_volumes(): sums, then means of its two channels
   std::vector<Blocks> blocks_;
   double grid_mass_ = 0;
 };

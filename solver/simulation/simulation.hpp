@@ -21,6 +21,7 @@
 #include "solver/simulation/method.hpp"
 #include "solver/simulation/schedule.hpp"
 #include "solver/simulation/step_limit.hpp"
+#include "solver/simulation/volumetric_locking.hpp"
 
 namespace scree {
 
@@ -64,6 +65,7 @@ struct SimulationSetup {
   TransferType transfer = TransferType::mls;
   PathType path = PathType::automatic;
   double flip_blend = 1;
+  VolumetricLocking volumetric_locking = VolumetricLocking::none;  ///< fbar takes the split path
   /// Runs on a device give the same bits every time; they take the split path. (Those on the
   /// processor always do.)
   bool deterministic = false;

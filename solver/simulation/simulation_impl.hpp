@@ -58,9 +58,13 @@ class SimulationImpl final : public Simulation {
   using Parameters = std::vector<PassParameters<T>>;
 
   // simulation_setup.cpp
+  void check_path() const;
   GridDomain<D> make_domain() const;
   Faces<D> make_faces() const;
   AuxLayout make_layout() const;
+  bool averages() const { return setup_.volumetric_locking == VolumetricLocking::fbar; }
+  int volume_ratio_field() const { return averages() ? layout_.total - 1 : -1; }
+  void start_volume_ratios(State& state);
   std::unique_ptr<Backend<D, T>> make_backend();
   void add_body(const BodySetup& setup, std::int32_t index);
   void place_particles(const BodySetup& setup, State& state);
@@ -75,6 +79,7 @@ class SimulationImpl final : public Simulation {
   GridForces grid_forces() const;
   void update_grid();
   void scatter_all(double dt);
+  void average_volumes(const Parameters& pass);
   void update_external();
   double external_power() const;
   double external_work(double power_at_end) const;
@@ -100,6 +105,7 @@ class SimulationImpl final : public Simulation {
   using FlowBlock = typename ParticleStore<D, T>::Block;
   std::int64_t list_flow_chunks(FlowPoints<D>& points, std::vector<const FlowBlock*>& blocks) const;
   void collect_flow_points();
+  void collect_chunk(FlowChunk<D>& chunk, const FlowBlock& block, FlowPoints<D>& points);
   void set_moments(FlowPoints<D>& points) const;
 
   // simulation_clock.cpp

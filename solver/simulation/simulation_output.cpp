@@ -127,7 +127,13 @@ PhaseTimes SimulationImpl<D, T>::phases() const {
                    {"particles", at(Phase::particles)}};
   if (!fused_) times.emplace_back("stress", at(Phase::stress));
   if (external_) times.emplace_back("external_forces", at(Phase::external));
-  if (flow_) times.emplace_back("pore_pressure", at(Phase::pressure));
+  if (!flow_) return times;
+  double rest = at(Phase::pressure);
+  for (const auto& [name, seconds] : flow_->times()) {
+    times.emplace_back(name, seconds);
+    rest -= seconds;
+  }
+  times.emplace_back("pore_transfer", rest);
   return times;
 }
 

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+// The particles' part in the step of the pore water.
+#include <algorithm>
+#include <cmath>
+
+#include "solver/coupling/coupled_flow.hpp"
+
+namespace scree {
+namespace {
+
+using Wide = Lanes<double>;
+
+Wide determinant(const Wide (&f)[2][2]) { return f[0][0] * f[1][1] - f[0][1] * f[1][0]; }
+
+Wide determinant(const Wide (&f)[3][3]) {
+  return f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1]) -
+         f[0][1] * (f[1][0] * f[2][2] - f[1][2] * f[2][0]) +
+         f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+}
+
+Wide load_any(const double* p) {
+  Wide v;
+  __builtin_memcpy(&v, p, sizeof(v));
+  return v;
+}
+
+}  // namespace
+
+template <int D>
+Mat3<double> CoupledFlow<D>::deformation(std::int64_t id) const {
+  Mat3<double> f = identity3<double>();
+  for (int i = 0; i < D * D; ++i) {
+    f(i / D, i % D) = state_[std::size_t(id)].deformation[i];
+  }
+  return f;
+}
+
+template <int D>
+// NOLINTNEXTLINE(readability-function-size): a kernel's body
+void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body) {
+  constexpr int width = FlowIncrements<D>::width;
+  const FlowBody& flow = bodies_[std::size_t(body)];
+  const PoreSetup& pores = *flow.pores;
+  alignas(64) double old[D * D + 3][width] = {};
+  for (int i = 0; i < width; ++i) {
+    // Padding repeats the first.
+    const std::int64_t point = increments.point[i < increments.count ? i : 0];
+    const PoreState<D>& state = state_[std::size_t(points_.id[std::size_t(point)])];
+    for (int k = 0; k < D * D; ++k) old[k][i] = state.deformation[k];
+    old[D * D][i] = state.ratio;
+    old[D * D + 1][i] = state.start_ratio;
+    old[D * D + 2][i] = state.pressure;
+  }
+  Wide c[D][D], f[D][D], trace = broadcast<Wide>(0.0);
+  for (int a = 0; a < D; ++a) {
+    for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(increments.value[a * D + b]);
+    trace = trace + c[a][a];
+  }
+  alignas(64) double now[D * D + 1][width], half[D][width], volume[width], capacity[width],
+      mobility[width], content[width];
+  const double side = half_side_[std::size_t(body)] / h_;
+  for (int a = 0; a < D; ++a) {
+    Wide square = broadcast<Wide>(0.0);
+    for (int b = 0; b < D; ++b) {
+      Wide sum = scree::load<Wide>(old[a * D + b]);
+      for (int k = 0; k < D; ++k) sum = mul_add(c[a][k], scree::load<Wide>(old[k * D + b]), sum);
+      store(now[a * D + b], sum);
+      square = mul_add(sum, sum, square);
+      f[a][b] = a == b ? c[a][b] + 1.0 : c[a][b];
+    }
+    store(half[a], side * min(sqrt(square), longest_box));
+  }
+  const Wide before = scree::load<Wide>(old[D * D]), start = scree::load<Wide>(old[D * D + 1]);
+  const Wide ratio = before * determinant(f);
+  const Wide porosity = 1.0 - ((1 - pores.porosity) * start) / ratio;
+  const Wide storage =
+      porosity * (1 / pores.fluid_modulus) + (pores.biot - porosity) * pores.grain_compliance;
+  const Wide space = ratio * flow.particle_volume, room = space * storage;
+  const Wide defect = (ratio - before * (trace + 1.0)) * (pores.biot * flow.particle_volume);
+  Wide k = broadcast<Wide>(pores.mobility);
+  if (pores.kozeny_carman) {
+    const Wide r = porosity / pores.porosity, s = (1 - pores.porosity) / (1.0 - porosity);
+    k = k * (r * r * r * s * s);
+  }
+  store(now[D * D], ratio);
+  store(volume, space);
+  store(capacity, room);
+  store(mobility, k);
+  store(content, room * scree::load<Wide>(old[D * D + 2]) - defect);
+  for (int i = 0; i < increments.count; ++i) {
+    const std::size_t p = std::size_t(increments.point[i]);
+    PoreState<D>& state = state_[std::size_t(points_.id[p])];
+    for (int n = 0; n < D * D; ++n) state.deformation[n] = now[n][i];
+    state.ratio = now[D * D][i];
+    for (std::size_t a = 0; a < D; ++a) points_.half[a][p] = half[a][i];
+    points_.volume[p] = volume[i];
+    points_.capacity[p] = capacity[i];
+    points_.mobility[p] = mobility[i];
+    points_.content[p] = content[i];
+  }
+}
+
+/// Water of particles that have gone since the last step counts as outflow.
+template <int D>
+void CoupledFlow<D>::index_points() {
+  const std::vector<std::int64_t>& ids = points_.id;
+  if (std::int64_t(ids.size()) == present_) {  // the same particles
+    for (std::size_t i = 0; i < ids.size(); ++i) point_of_[std::size_t(ids[i])] = std::int32_t(i);
+    return;
+  }
+  std::vector<std::int32_t> now(point_of_.size(), -1);
+  for (std::size_t i = 0; i < ids.size(); ++i) now[std::size_t(ids[i])] = std::int32_t(i);
+  std::size_t body = 0;
+  for (std::size_t id = 0; id < now.size(); ++id) {
+    while (body + 1 < bodies_.size() && std::int64_t(id) >= bodies_[body + 1].first_id) ++body;
+    if (point_of_[id] < 0 || now[id] >= 0) continue;
+    left_ += fluid_mass(std::int32_t(body), std::int64_t(id), state_[id].ratio);
+  }
+  point_of_ = std::move(now);
+  present_ = std::int64_t(ids.size());
+}
+
+template <int D>
+std::optional<SurfacePoint<D>> CoupledFlow<D>::surface_point(std::int64_t id) const {
+  const std::int64_t index = point_of_[std::size_t(id)];
+  if (index < 0) return std::nullopt;
+  const FlowChunk<D>& chunk = points_.chunk_of(index);
+  SurfacePoint<D> point;
+  for (const FlowRun<D>& run : chunk.runs) {
+    if (index >= run.begin && index < run.end) point.cell = run.cell;
+  }
+  for (std::size_t a = 0; a < D; ++a) point.xi[a] = points_.xi[a][std::size_t(index)];
+  point.mobility = points_.mobility[std::size_t(index)];
+  point.fluid_density = bodies_[std::size_t(chunk.body)].pores->fluid_density;
+  return point;
+}
+
+/// Pressure and seepage of the particles.
+template <int D>
+void CoupledFlow<D>::gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool) {
+  pool.for_each(std::int64_t(points_.chunks.size()), [&](std::int64_t c, int) {
+    const FlowChunk<D>& chunk = points_.chunks[std::size_t(c)];
+    for (const FlowRun<D>& run : chunk.runs) gather_run(run, chunk.body, gravity);
+  });
+  surfaces_.add_outflow(matrix_, solution_, dt, outflow_);
+}
+
+template <int D>
+void CoupledFlow<D>::gather_run(const FlowRun<D>& run, std::int32_t body,
+                                const std::array<double, 3>& gravity) {
+  constexpr int corners = 1 << D;
+  const double density = bodies_[std::size_t(body)].pores->fluid_density;
+  double nodal[corners];
+  for (int k = 0; k < corners; ++k) {
+    nodal[k] = solution_[std::size_t(matrix_.row(corner<D>(run.cell, k)))];
+  }
+  constexpr int width = lanes_of<Wide>;
+  for (std::int64_t first = run.begin; first < run.end; first += width) {
+    Wide hat[D][2], value = broadcast<Wide>(0.0), gradient[D];
+    for (std::size_t a = 0; a < D; ++a) {
+      hat[a][1] = load_any(points_.xi[a].data() + first);
+      hat[a][0] = 1.0 - hat[a][1];
+      gradient[a] = broadcast<Wide>(0.0);
+    }
+    for (int k = 0; k < corners; ++k) {
+      Wide n = broadcast<Wide>(nodal[k]);
+      for (int a = 0; a < D; ++a) {
+        Wide slope = broadcast<Wide>((k >> (D - 1 - a) & 1) != 0 ? nodal[k] : -nodal[k]);
+        for (int b = 0; b < D; ++b) {
+          if (b != a) slope = slope * hat[b][k >> (D - 1 - b) & 1];
+        }
+        gradient[a] = gradient[a] + slope;
+        n = n * hat[a][k >> (D - 1 - a) & 1];
+      }
+      value = value + n;
+    }
+    alignas(64) double pressure[width], seepage[D][width];
+    store(pressure, value);
+    const Wide mobility = load_any(points_.mobility.data() + first);
+    for (int a = 0; a < D; ++a) {
+      store(seepage[a], -mobility * (gradient[a] * (1 / h_) - density * gravity[std::size_t(a)]));
+    }
+    for (int i = 0; i < int(std::min<std::int64_t>(width, run.end - first)); ++i) {
+      const std::size_t p = std::size_t(first + i);
+      PoreState<D>& state = state_[std::size_t(points_.id[p])];
+      state.stored += points_.capacity[p] * (pressure[i] - state.pressure);
+      state.pressure = pressure[i];
+      for (int a = 0; a < D; ++a) state.seepage[a] = seepage[a][i];
+    }
+  }
+}
+
+template class CoupledFlow<2>;
+template class CoupledFlow<3>;
+
+}  // namespace scree
