@@ -124,18 +124,58 @@ SimulationSetup fluid_case(const BenchOptions& options) {
   return setup;
 }
 
+/// The upper faces of a body's highest particles.
+DrainageSetup drained_top(const BodySetup& body, int dimension, double top) {
+  constexpr double spacing = cell_size / per_direction;
+  DrainageSetup drainage;
+  drainage.name = "top";
+  for (std::size_t p = 0; p < body.position.size(); p += 3) {
+    if (body.position[p + 1] < top - spacing) continue;
+    DrainedFace face;
+    face.particle = std::int64_t(p / 3);
+    face.area = {0, std::pow(spacing, dimension - 1), 0};
+    face.offset = {0, spacing / 2, 0};
+    drainage.faces.push_back(face);
+  }
+  return drainage;
+}
+
+SimulationSetup coupled_case(const BenchOptions& options) {
+  SimulationSetup setup;
+  const auto cells = body_cells(options, {1, 1, 1});
+  setup.cells = {cells[0], cells[1] + margin, cells[2]};
+  BodySetup body =
+      make_body("fixed_corotated", 2000, {{"youngs_modulus", 1e7}}, options.dimension, {}, cells);
+  for (std::size_t a = 0; a < std::size_t(options.dimension); ++a) {
+    setup.faces[a] = {FaceType::slip, FaceType::slip};
+  }
+  setup.gravity = weight;
+  if (!options.dry) {
+    PoreSetup pores;
+    pores.porosity = 0.4;
+    pores.mobility = 1e-9;  // water in fine sand, 1e-5 m/s
+    body.pores = pores;
+    setup.coupling.emplace();
+    setup.coupling->drainage.push_back(drained_top(body, options.dimension, cells[1] * cell_size));
+  }
+  setup.bodies.push_back(std::move(body));
+  return setup;
+}
+
 }  // namespace
 
 SimulationSetup build_bench_case(const BenchOptions& options) {
   using Builder = SimulationSetup (*)(const BenchOptions&);
-  const std::map<std::string, Builder> cases{
-      {"elastic", elastic_case}, {"sand", sand_case}, {"fluid", fluid_case}};
+  const std::map<std::string, Builder> cases{{"elastic", elastic_case},
+                                             {"sand", sand_case},
+                                             {"fluid", fluid_case},
+                                             {"coupled", coupled_case}};
   const std::map<std::string, KernelType> kernels{{"compact", KernelType::compact},
                                                   {"quadratic", KernelType::quadratic}};
   const std::map<std::string, Precision> precisions{{"double", Precision::double_},
                                                     {"single", Precision::single_}};
-  const std::map<std::string, PathType> paths{{"fused", PathType::fused},
-                                              {"split", PathType::split}};
+  const std::map<std::string, PathType> paths{
+      {"automatic", PathType::automatic}, {"fused", PathType::fused}, {"split", PathType::split}};
   if (options.particles < 1) throw UserError("--particles must be at least 1");
   if (options.dimension != 2 && options.dimension != 3) {
     throw UserError("--dimension must be 2 or 3");

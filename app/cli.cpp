@@ -130,7 +130,7 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
         ->type_name(join(names, "|"))
         ->excludes(suite);
   };
-  choice("--case", options.case_name, {"elastic", "sand", "fluid"}, "What to simulate");
+  choice("--case", options.case_name, {"elastic", "sand", "fluid", "coupled"}, "What to simulate");
   bench.add_option("--dimension", options.dimension, "Of space (default: 3)")
       ->check(CLI::IsMember({2, 3}))
       ->type_name("2|3")
@@ -141,9 +141,22 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
       ->excludes(suite);
   choice("--precision", options.precision, {"double", "single"}, "Floating-point type");
   choice("--kernel", options.kernel, {"compact", "quadratic"}, "Interpolation kernel");
-  choice("--path", options.path, {"fused", "split"}, "How a step is computed");
+  choice("--path", options.path, {"automatic", "fused", "split"}, "How a step is computed");
   const char* material_doc = "Print ns a particle of each material law by itself, on one core";
   bench.add_flag("--material-only", options.material_only, material_doc)->excludes(suite);
+}
+
+/// A deck in place of a case; it says itself what the other options ask.
+void add_bench_deck(CLI::App& bench, BenchOptions& options) {
+  auto* deck =
+      bench.add_option("--deck", options.deck, "Measure the steps of a deck, without its output")
+          ->type_name("DECK");
+  for (const char* name : {"--suite", "--case", "--dimension", "--precision", "--kernel", "--path",
+                           "--particles", "--material-only"}) {
+    deck->excludes(bench.get_option(name));
+  }
+  add_overrides(bench, options.overrides);
+  bench.get_option("--set")->needs(deck);
 }
 
 void add_bench(CommandLine& line) {
@@ -165,6 +178,7 @@ void add_bench(CommandLine& line) {
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->type_name("auto|cpu|cuda");
   bench.add_flag("--json", options.json, "Print one JSON object and nothing else");
+  add_bench_deck(bench, options);
   bench.callback([&line] { line.action = [&line] { return bench_command(line.bench); }; });
 }
 

@@ -14,8 +14,9 @@ namespace scree {
 
 namespace {
 
-DrainNames drains_of(const Simulation& simulation, const std::vector<std::string>& names) {
-  return simulation.coupled() ? DrainNames(names) : std::nullopt;
+HistoryParts parts_of(const Simulation& simulation, const std::vector<std::string>& colliders,
+                      const std::vector<std::string>& drains) {
+  return {colliders, simulation.coupled() ? DrainNames(drains) : std::nullopt, simulation.loaded()};
 }
 
 /// Adds the wall time of a scope to a sum.
@@ -67,7 +68,7 @@ void Recorder::add_samples(std::unique_ptr<Sampler> sampler, int stream) {
 void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names,
                      const std::vector<std::string>& drain_names) {
   history_ =
-      HistoryWriter::create(history_path_, collider_names, drains_of(simulation, drain_names));
+      HistoryWriter::create(history_path_, parts_of(simulation, collider_names, drain_names));
   for (const auto& samples : samples_) samples->sampler->begin(simulation);
   record(simulation);
 }
@@ -92,8 +93,8 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
     samples->table =
         CsvWriter::resume(folder_ / samples->sampler->file(), "", simulation.step_count());
   }
-  history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count(),
-                                   drains_of(simulation, drain_names));
+  history_ = HistoryWriter::resume(history_path_, parts_of(simulation, collider_names, drain_names),
+                                   simulation.step_count());
   history_time_ = time;
 }
 

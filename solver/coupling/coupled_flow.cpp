@@ -20,10 +20,6 @@ std::string preconditioner(const CouplingSetup& setup, int dimension) {
   return dimension == 2 ? "icc" : "jacobi";
 }
 
-/// Stretch at which a particle's box stops to grow: far beyond, in long flows, F says no more which
-/// part of the soil is the particle's.
-constexpr double longest_box = 2;
-
 std::vector<std::int64_t> first_ids(const std::vector<FlowBody>& bodies) {
   std::vector<std::int64_t> ids;
   for (const FlowBody& body : bodies) ids.push_back(body.first_id);
@@ -49,24 +45,25 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       solver_(preconditioner(setup_, D), setup_.tolerance, setup_.solver_options),
       point_of_(std::size_t(particles), -1),
       nodal_(std::size_t(lattice_.size()), 0.0),
-      pressure_(std::size_t(particles), 0.0),
-      ratio_(std::size_t(particles), 1.0),
-      start_ratio_(std::size_t(particles), 1.0),
-      stored_(std::size_t(particles), 0.0),
-      seepage_(std::size_t(particles) * D, 0.0),
-      deformation_(std::size_t(particles) * D * D, 0.0),
+      state_(std::size_t(particles), PoreState<D>{}),
       outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
-  for (std::size_t i = 0; i < deformation_.size(); i += D * D) {
-    for (std::size_t a = 0; a < D; ++a) deformation_[i + a * (D + 1)] = 1;
+  for (const FlowBody& body : bodies_) {
+    half_side_.push_back(0.5 * std::pow(body.particle_volume, 1.0 / D));
+    biot_.push_back(body.pores ? body.pores->biot : 0.0);
+  }
+  for (PoreState<D>& state : state_) {
+    state.ratio = state.start_ratio = 1;
+    for (std::size_t a = 0; a < D; ++a) state.deformation[a * (D + 1)] = 1;
   }
 }
 
 template <int D>
 void CoupledFlow<D>::start(std::int64_t id, std::int32_t body, double pressure,
                            double volume_ratio) {
-  pressure_[std::size_t(id)] = pressure;
-  ratio_[std::size_t(id)] = start_ratio_[std::size_t(id)] = volume_ratio;
+  PoreState<D>& state = state_[std::size_t(id)];
+  state.pressure = pressure;
+  state.ratio = state.start_ratio = volume_ratio;
   start_mass_ += fluid_mass(body, id, volume_ratio);
 }
 
@@ -75,68 +72,6 @@ void CoupledFlow<D>::follow(const Topology<D>& topology) {
   if (topology.keys() == blocks_) return;
   blocks_ = topology.keys();
   volume_.rebuild(topology);
-}
-
-template <int D>
-Mat3<double> CoupledFlow<D>::deformation(std::int64_t id) const {
-  Mat3<double> f = identity3<double>();
-  for (int i = 0; i < D * D; ++i) {
-    f(i / D, i % D) = deformation_[std::size_t(id) * D * D + std::size_t(i)];
-  }
-  return f;
-}
-
-template <int D>
-void CoupledFlow<D>::fill(FlowPoint<D>& point, std::int32_t body, const double (&u)[D],
-                          const Mat3<double>& increment) {
-  const std::size_t id = std::size_t(point.id);
-  const FlowBody& flow = bodies_[std::size_t(body)];
-  const PoreSetup& pores = *flow.pores;
-  Mat3<double> f = identity3<double>() + increment;
-  const double before = ratio_[id];
-  ratio_[id] = before * det(f);
-  const double linear = before * (1 + increment(0, 0) + increment(1, 1) + increment(2, 2));
-  for (int a = 0; a < D; ++a) {
-    const double y = lattice_.coordinate(u[a]);
-    point.cell[std::size_t(a)] = int(std::floor(y));
-    point.xi[a] = y - std::floor(y);
-  }
-  const Mat3<double> total = f * deformation(point.id);
-  const double side = 2 * half_side(body);
-  for (int a = 0; a < D; ++a) {
-    double square = 0;
-    for (int b = 0; b < D; ++b) {
-      square += total(a, b) * total(a, b);
-      deformation_[id * D * D + std::size_t(a * D + b)] = total(a, b);
-    }
-    point.half[a] = 0.5 * side / h_ * std::min(std::sqrt(square), longest_box);
-  }
-  const double porosity = porosity_at(pores, ratio_[id] / start_ratio_[id]);
-  point.volume = flow.particle_volume * ratio_[id];
-  point.storage = storage_at(pores, porosity);
-  point.mobility = mobility_at(pores, porosity);
-  point.biot = pores.biot;
-  point.fluid_density = pores.fluid_density;
-  point.pressure = pressure_[id];
-  point.defect = flow.particle_volume * (ratio_[id] - linear);
-}
-
-/// Water of particles that have gone since the last step counts as outflow.
-template <int D>
-void CoupledFlow<D>::index_points() {
-  std::vector<std::int32_t> now(point_of_.size(), -1);
-  for (const FlowChunk<D>& chunk : points_.chunks) {
-    for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
-      now[std::size_t(points_.points[std::size_t(i)].id)] = std::int32_t(i);
-    }
-  }
-  std::size_t body = 0;
-  for (std::size_t id = 0; id < now.size(); ++id) {
-    while (body + 1 < bodies_.size() && std::int64_t(id) >= bodies_[body + 1].first_id) ++body;
-    if (point_of_[id] < 0 || now[id] >= 0) continue;
-    left_ += fluid_mass(std::int32_t(body), std::int64_t(id), ratio_[id]);
-  }
-  point_of_ = std::move(now);
 }
 
 template <int D>
@@ -156,66 +91,116 @@ std::array<double, 3> CoupledFlow<D>::position(std::int64_t record,
 }
 
 template <int D>
+void CoupledFlow<D>::time_part(Part part, Clock::time_point& start) {
+  const Clock::time_point now = Clock::now();
+  seconds_[std::size_t(part)] += std::chrono::duration<double>(now - start).count();
+  start = now;
+}
+
+template <int D>
+std::vector<std::pair<std::string, double>> CoupledFlow<D>::times() const {
+  const auto at = [this](Part part) { return seconds_[std::size_t(part)]; };
+  return {{"pore_points", at(Part::points)}, {"pore_constraints", at(Part::constraints)},
+          {"pore_volume", at(Part::volume)}, {"pore_storage", at(Part::storage)},
+          {"pore_matrix", at(Part::matrix)}, {"pore_solve", at(Part::solve)},
+          {"pore_forces", at(Part::forces)}};
+}
+
+template <int D>
 void CoupledFlow<D>::solve(const FlowStep<D>& step, std::vector<double>& velocity,
                            const Topology<D>& topology, ThreadPool& pool) {
+  auto start = Clock::now();
   index_points();
+  time_part(Part::points, start);
+  prepare(step, velocity, topology);
+  time_part(Part::constraints, start);
+  assemble_volume(pool);
+  reactions_.assign(step.colliders->size(), Reaction{});
+  if (!volume_.load().empty()) push(step, volume_.load(), velocity, topology, pool);
+  time_part(Part::volume, start);
+  assemble(step, velocity, pool);
+  start = Clock::now();
+  solve_system(step);
+  time_part(Part::solve, start);
+  volume_.force(matrix_, solution_, force_, pool);
+  push(step, force_, velocity, topology, pool);
+  time_part(Part::forces, start);
+  gather(step.dt, step.gravity, pool);
+  time_part(Part::points, start);
+}
+
+/// Which nodes move, and which have a pressure.
+template <int D>
+void CoupledFlow<D>::prepare(const FlowStep<D>& step, const std::vector<double>& velocity,
+                             const Topology<D>& topology) {
   constraints_.find(
       step.decisions, velocity, *step.colliders,
       [&](std::int64_t record) { return position(record, topology); }, step.touch);
-  if (matrix_.set_nodes(cells_.find_cells(points_))) {
-    if (matrix_.rows() > 0) solver_.set_pattern(matrix_.row_begin(), matrix_.columns());
+  if (matrix_.set_nodes(cells_.find_cells(points_)) && matrix_.rows() > 0) {
+    solver_.set_pattern(matrix_.row_begin(), matrix_.columns());
   }
-  volume_.assemble(points_, topology, pool);
+}
+
+template <int D>
+void CoupledFlow<D>::assemble_volume(ThreadPool& pool) {
+  volume_.assemble(points_, biot_, pool);
   for (const NodeGroup<D>& group : constraints_.groups()) {
     for (std::int32_t m = group.begin + 1; m < group.end; ++m) {
       const auto& ghost = constraints_.members()[std::size_t(m)];
       volume_.fold(group.root, ghost.record, ghost.sign, matrix_);
     }
   }
-  reactions_.assign(step.colliders->size(), Reaction{});
-  if (!volume_.load().empty()) push(step, volume_.load(), velocity, topology, pool);
-  assemble(step, velocity, pool);
-  solve_system(step);
-  volume_.force(matrix_, solution_, force_, pool);
-  push(step, force_, velocity, topology, pool);
-  gather(step.dt, step.gravity, pool);
 }
 
 template <int D>
 void CoupledFlow<D>::assemble(const FlowStep<D>& step, const std::vector<double>& velocity,
                               ThreadPool& pool) {
-  cells_.assemble(points_, step.dt, step.gravity, h_);
+  auto start = Clock::now();
+  std::vector<typename PoreCells<D>::Weight> weight(bodies_.size());
+  double largest_half = 0;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!bodies_[b].pores) continue;
+    largest_half = std::max(largest_half, half_side_[b] / h_ * longest_box);
+    for (std::size_t a = 0; a < D; ++a) {
+      weight[b][a] = bodies_[b].pores->fluid_density * step.gravity[a];
+    }
+  }
+  cells_.assemble(points_, step.dt, h_, weight, largest_half, pool);
   cells_.add(matrix_);
-  surfaces_.add(
-      points_, point_of_, [this](std::int64_t id) { return deformation(id); }, step.end, h_,
-      domain_.cell_size, lattice_, domain_.lower, matrix_);
-  volume_.add_schur(constraints_.inverse(), step.dt / lattices_, matrix_, pool);
+  time_part(Part::storage, start);
+  surfaces_.add([this](std::int64_t id) { return surface_point(id); },
+                [this](std::int64_t id) { return deformation(id); }, step.end, h_,
+                domain_.cell_size, lattice_, domain_.lower, matrix_);
+  volume_.add(constraints_.inverse(), step.dt / lattices_, velocity, 1.0 / lattices_, matrix_,
+              pool);
   add_held(step.dt / lattices_);
-  volume_.subtract_rate(velocity, 1.0 / lattices_, matrix_, pool);
+  matrix_.finish();
+  time_part(Part::matrix, start);
 }
 
 /// Nodes that colliders hold, whose inverse mass is a matrix.
 template <int D>
 void CoupledFlow<D>::add_held(double factor) {
   std::vector<std::int32_t> rows;
-  const int hats = volume_.hats();
+  const int hats = volume_.hats(), stride = volume_.stride();
   for (const NodeGroup<D>& group : constraints_.groups()) {
-    if (group.collider < 0) continue;
+    const double* q = group.collider < 0 ? nullptr : volume_.block(group.root);
+    if (q == nullptr) continue;
     volume_.rows(group.root, matrix_, rows);
-    const double* q = volume_.block(group.root);
     for (int j = 0; j < hats; ++j) {
       double moved[D];
       bool any = false;
       for (int a = 0; a < D; ++a) {
         moved[a] = 0;
-        for (int b = 0; b < D; ++b) moved[a] += factor * group.inverse[a][b] * q[b * hats + j];
+        for (int b = 0; b < D; ++b) moved[a] += factor * group.inverse[a][b] * q[b * stride + j];
         any = any || moved[a] != 0;
       }
-      if (!any) continue;
-      for (int l = 0; l < hats; ++l) {
+      if (!any || rows[std::size_t(j)] < 0) continue;
+      for (int l = j; l < hats; ++l) {
         double value = 0;
-        for (int a = 0; a < D; ++a) value += moved[a] * q[a * hats + l];
-        if (value != 0) matrix_.add_pair(rows[std::size_t(j)], rows[std::size_t(l)], value);
+        for (int a = 0; a < D; ++a) value += moved[a] * q[a * stride + l];
+        const int offset = matrix_.offset_index(volume_.hat(j), volume_.hat(l));
+        if (value != 0) matrix_.add(rows[std::size_t(j)], offset, value);
       }
     }
   }
@@ -302,34 +287,6 @@ Vec3<double> CoupledFlow<D>::push_group(const FlowStep<D>& step, const NodeGroup
     impulse[a] = step.dt * force[a] - mass[a] / step.decisions.keep * change[a];
   }
   return impulse;
-}
-
-/// Pressure and seepage of the particles.
-template <int D>
-void CoupledFlow<D>::gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool) {
-  constexpr int corners = 1 << D;
-  pool.for_each(std::int64_t(points_.chunks.size()), [&](std::int64_t c, int) {
-    const FlowChunk<D>& chunk = points_.chunks[std::size_t(c)];
-    for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
-      const FlowPoint<D>& p = points_.points[std::size_t(i)];
-      double n[corners], slope[corners][D], value = 0, gradient[D] = {};
-      hats<D>(p.xi, n);
-      hat_slopes<D>(p.xi, slope);
-      for (int k = 0; k < corners; ++k) {
-        const double nodal = solution_[std::size_t(matrix_.row(corner<D>(p.cell, k)))];
-        value += n[k] * nodal;
-        for (int a = 0; a < D; ++a) gradient[a] += slope[k][a] * nodal / h_;
-      }
-      const std::size_t id = std::size_t(p.id);
-      stored_[id] += p.volume * p.storage * (value - pressure_[id]);
-      pressure_[id] = value;
-      for (int a = 0; a < D; ++a) {
-        seepage_[id * D + std::size_t(a)] =
-            -p.mobility * (gradient[a] - p.fluid_density * gravity[std::size_t(a)]);
-      }
-    }
-  });
-  surfaces_.add_outflow(matrix_, solution_, dt, outflow_);
 }
 
 template class CoupledFlow<2>;

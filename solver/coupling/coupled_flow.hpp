@@ -2,11 +2,12 @@
 #pragma once
 
 #include <array>
-#include <cmath>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "solver/coupling/coupling_setup.hpp"
@@ -41,6 +42,17 @@ struct FlowDomain {
   double cell_size = 1;           ///< [m]
 };
 
+/// Pores of a particle, which stay with it.
+template <int D>
+struct PoreState {
+  double deformation[D * D];  ///< F since t = 0
+  double pressure;            ///< [Pa]
+  double ratio;               ///< J of the points of the last step
+  double start_ratio;         ///< J at t = 0
+  double stored;              ///< volume that compression made room for since t = 0 [m^3]
+  double seepage[D];          ///< [m/s]
+};
+
 /// What a step gives to the pressure solve.
 template <int D>
 struct FlowStep {
@@ -68,9 +80,7 @@ class CoupledFlow {
 
   bool has_water(std::int32_t body) const { return bodies_[std::size_t(body)].pores.has_value(); }
   /// Half the side of a particle's box at t = 0 [m].
-  double half_side(std::int32_t body) const {
-    return 0.5 * std::pow(bodies_[std::size_t(body)].particle_volume, 1.0 / D);
-  }
+  double half_side(std::int32_t body) const { return half_side_[std::size_t(body)]; }
   /// Pressure [Pa] and the law's volume ratio of a particle at t = 0.
   void start(std::int64_t id, std::int32_t body, double pressure, double volume_ratio);
 
@@ -80,11 +90,10 @@ class CoupledFlow {
   // A step: masses, points, solve.
   NodeConstraints<D>& constraints() { return constraints_; }
   FlowPoints<D>& points() { return points_; }
-  /// Fills all of a point but `local`, `id` and `loaded`, which must be set; u: position in cells
-  /// from the domain's lower corner, increment: dt grad v of the last step. Once a step a particle;
-  /// any thread.
-  void fill(FlowPoint<D>& point, std::int32_t body, const double (&u)[D],
-            const Mat3<double>& increment);
+  const PressureLattice<D>& lattice() const { return lattice_; }
+  /// Sets half, volume, capacity, mobility and content of a point whose id is set; increment: dt
+  /// grad v of the last step. Once a step a particle; any thread.
+  void fill(std::int64_t point, std::int32_t body, const Mat3<double>& increment);
   /// Solves for the pressure. velocity: D entries a node, of v*; becomes v. Throws RunFault where
   /// the solver does not converge.
   void solve(const FlowStep<D>& step, std::vector<double>& velocity, const Topology<D>& topology,
@@ -92,8 +101,11 @@ class CoupledFlow {
   /// What the pressure adds to the colliders' reactions of the step.
   const std::vector<Reaction>& reactions() const { return reactions_; }
 
+  /// Seconds spent in the parts of solve() since the start.
+  std::vector<std::pair<std::string, double>> times() const;
+
   // Of a particle, at the end of the last step.
-  double pressure(std::int64_t id) const { return pressure_[std::size_t(id)]; }
+  double pressure(std::int64_t id) const { return state_[std::size_t(id)].pressure; }
   std::array<double, 3> seepage(std::int64_t id) const;
   double porosity(std::int32_t body, std::int64_t id, double volume_ratio) const;
   double biot(std::int32_t body) const { return bodies_[std::size_t(body)].pores->biot; }
@@ -111,8 +123,21 @@ class CoupledFlow {
   void load(const StateReader& reader);
 
  private:
+  /// Stretch at which a particle's box stops to grow: far beyond, in long flows, F says no more
+  /// which part of the soil is the particle's.
+  static constexpr double longest_box = 2;
+
+  /// Parts of a solve, for the times.
+  enum class Part { points, constraints, volume, storage, matrix, solve, forces, count };
+  using Clock = std::chrono::steady_clock;
+  void time_part(Part part, Clock::time_point& start);
+
   Mat3<double> deformation(std::int64_t id) const;
   void index_points();
+  std::optional<SurfacePoint<D>> surface_point(std::int64_t id) const;
+  void prepare(const FlowStep<D>& step, const std::vector<double>& velocity,
+               const Topology<D>& topology);
+  void assemble_volume(ThreadPool& pool);
   void assemble(const FlowStep<D>& step, const std::vector<double>& velocity, ThreadPool& pool);
   void add_held(double factor);
   void solve_system(const FlowStep<D>& step);
@@ -122,6 +147,7 @@ class CoupledFlow {
                           const std::vector<double>& force, std::vector<double>& velocity);
   std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
   void gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool);
+  void gather_run(const FlowRun<D>& run, std::int32_t body, const std::array<double, 3>& gravity);
 
   CouplingSetup setup_;
   FlowDomain<D> domain_;
@@ -138,20 +164,18 @@ class CoupledFlow {
   FlowPoints<D> points_;
   std::vector<std::uint64_t> blocks_;   ///< of the topology that volume_ knows
   std::vector<std::int32_t> point_of_;  ///< by id, -1: gone
+  std::int64_t present_ = -1;           ///< number of points of the last step, -1: not known
   std::vector<double> solution_;        ///< by row
   std::vector<double> nodal_;           ///< by lattice node: the last pressures, to start from
   std::vector<double> force_;
   std::vector<Reaction> reactions_;
-  // By particle id:
-  std::vector<double> pressure_;     ///< [Pa]
-  std::vector<double> ratio_;        ///< J of the points of the last step
-  std::vector<double> start_ratio_;  ///< J at t = 0
-  std::vector<double> stored_;       ///< volume that compression made room for since t = 0 [m^3]
-  std::vector<double> seepage_;      ///< D each [m/s]
-  std::vector<double> deformation_;  ///< F since t = 0, D x D each
-  double start_mass_ = 0;            ///< of the water [kg]
-  double left_ = 0;                  ///< [kg], of particles that left through open faces
-  std::vector<double> outflow_;      ///< [kg], through each drained surface
+  std::vector<double> half_side_;      ///< of each body's boxes at t = 0 [m]
+  std::vector<double> biot_;           ///< of each body
+  AlignedVector<PoreState<D>> state_;  ///< by particle id
+  std::array<double, std::size_t(Part::count)> seconds_{};
+  double start_mass_ = 0;        ///< of the water [kg]
+  double left_ = 0;              ///< [kg], of particles that left through open faces
+  std::vector<double> outflow_;  ///< [kg], through each drained surface
   int iterations_ = 0;
 };
 

@@ -11,25 +11,25 @@ namespace scree {
 template <int D>
 std::array<double, 3> CoupledFlow<D>::seepage(std::int64_t id) const {
   std::array<double, 3> q{};
-  for (std::size_t a = 0; a < D; ++a) q[a] = seepage_[std::size_t(id) * D + a];
+  for (std::size_t a = 0; a < D; ++a) q[a] = state_[std::size_t(id)].seepage[a];
   return q;
 }
 
 template <int D>
 double CoupledFlow<D>::porosity(std::int32_t body, std::int64_t id, double volume_ratio) const {
   return porosity_at(*bodies_[std::size_t(body)].pores,
-                     volume_ratio / start_ratio_[std::size_t(id)]);
+                     volume_ratio / state_[std::size_t(id)].start_ratio);
 }
 
 template <int D>
 double CoupledFlow<D>::fluid_mass(std::int32_t body, std::int64_t id, double volume_ratio) const {
   const FlowBody& flow = bodies_[std::size_t(body)];
   if (!flow.pores) return 0;
-  const double start = start_ratio_[std::size_t(id)];
+  const double start = state_[std::size_t(id)].start_ratio;
   const double change = flow.pores->biot * (volume_ratio - start);
   return flow.pores->fluid_density *
          (flow.particle_volume * (start * flow.pores->porosity + change) +
-          stored_[std::size_t(id)]);
+          state_[std::size_t(id)].stored);
 }
 
 template <int D>
@@ -75,22 +75,44 @@ GridSnapshot CoupledFlow<D>::grid() const {
 
 template <int D>
 std::int64_t CoupledFlow<D>::bytes() const {
-  const std::size_t numbers = solution_.capacity() + nodal_.capacity() + force_.capacity() +
-                              pressure_.capacity() + ratio_.capacity() + start_ratio_.capacity() +
-                              stored_.capacity() + seepage_.capacity() + deformation_.capacity();
+  const std::size_t numbers = solution_.capacity() + nodal_.capacity() + force_.capacity();
   return std::int64_t(8 * numbers + 4 * point_of_.capacity() +
-                      points_.points.capacity() * sizeof(FlowPoint<D>)) +
-         volume_.bytes() + cells_.bytes() + matrix_.bytes();
+                      sizeof(PoreState<D>) * state_.capacity()) +
+         points_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes();
 }
+
+namespace {
+
+/// Numbers that all particles have, as arrays by particle.
+template <int D, class State, class F>
+void each_array(State& state, F&& f) {
+  f(
+      "coupling/pressure", 1, [&](std::size_t i, int) -> auto& { return state[i].pressure; });
+  f(
+      "coupling/volume_ratio", 1, [&](std::size_t i, int) -> auto& { return state[i].ratio; });
+  f(
+      "coupling/start_ratio", 1, [&](std::size_t i, int) -> auto& { return state[i].start_ratio; });
+  f(
+      "coupling/stored", 1, [&](std::size_t i, int) -> auto& { return state[i].stored; });
+  f(
+      "coupling/seepage", D, [&](std::size_t i, int a) -> auto& { return state[i].seepage[a]; });
+  f(
+      "coupling/deformation",
+      D * D, [&](std::size_t i, int a) -> auto& { return state[i].deformation[a]; });
+}
+
+}  // namespace
 
 template <int D>
 void CoupledFlow<D>::save(StateWriter& writer) const {
-  writer.put("coupling/pressure", pressure_);
-  writer.put("coupling/volume_ratio", ratio_);
-  writer.put("coupling/start_ratio", start_ratio_);
-  writer.put("coupling/stored", stored_);
-  writer.put("coupling/seepage", seepage_);
-  writer.put("coupling/deformation", deformation_);
+  each_array<D>(state_, [&](const char* name, int width, auto&& at) {
+    std::vector<double> values;
+    values.reserve(state_.size() * std::size_t(width));
+    for (std::size_t i = 0; i < state_.size(); ++i) {
+      for (int a = 0; a < width; ++a) values.push_back(at(i, a));
+    }
+    writer.put(name, values);
+  });
   writer.put("coupling/water", std::vector<double>{start_mass_, left_, double(iterations_)});
   writer.put("coupling/outflow", outflow_);
   std::vector<std::int32_t> alive;
@@ -110,14 +132,20 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
 
 template <int D>
 void CoupledFlow<D>::load(const StateReader& reader) {
-  const std::size_t particles = pressure_.size();
-  pressure_ = reader.get<double>("coupling/pressure");
-  ratio_ = reader.get<double>("coupling/volume_ratio");
-  start_ratio_ = reader.get<double>("coupling/start_ratio");
-  stored_ = reader.get<double>("coupling/stored");
-  seepage_ = reader.get<double>("coupling/seepage");
-  deformation_ = reader.get<double>("coupling/deformation");
+  bool fits = true;
+  each_array<D>(state_, [&](const char* name, int width, auto&& at) {
+    const auto values = reader.get<double>(name);
+    if (values.size() != state_.size() * std::size_t(width)) {
+      fits = false;
+      return;
+    }
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < state_.size(); ++i) {
+      for (int a = 0; a < width; ++a) at(i, a) = values[next++];
+    }
+  });
   point_of_ = reader.get<std::int32_t>("coupling/present");
+  present_ = -1;
   const auto water = reader.get<double>("coupling/water");
   start_mass_ = water.at(0);
   left_ = water.at(1);
@@ -126,9 +154,7 @@ void CoupledFlow<D>::load(const StateReader& reader) {
   iterations_ = int(water.at(2));
   const auto nodes = reader.get<std::int64_t>("coupling/nodes");
   const auto values = reader.get<double>("coupling/nodal_pressure");
-  if (pressure_.size() != particles || ratio_.size() != particles ||
-      seepage_.size() != D * particles || deformation_.size() != D * D * particles ||
-      point_of_.size() != particles || outflow_.size() != surfaces ||
+  if (!fits || point_of_.size() != state_.size() || outflow_.size() != surfaces ||
       nodes.size() != values.size()) {
     throw RunFault("the checkpoint's pore water does not match this deck");
   }

@@ -29,20 +29,21 @@ DrainedSurfaces<D>::DrainedSurfaces(std::vector<DrainageSetup> setups,
 }
 
 template <int D>
-Vec3<double> DrainedSurfaces<D>::position(const FlowPoint<D>& point,
+Vec3<double> DrainedSurfaces<D>::position(const SurfacePoint<D>& point,
                                           const PressureLattice<D>& lattice,
                                           const std::array<double, 3>& lower, double cell_size) {
   Vec3<double> x{};
   for (int a = 0; a < D; ++a) {
     const double cells =
-        lattice.spacing() * (point.cell[std::size_t(a)] + point.xi[a]) + lattice.offset();
+        lattice.spacing() * (point.cell[std::size_t(a)] + point.xi[std::size_t(a)]) +
+        lattice.offset();
     x[a] = lower[std::size_t(a)] + cell_size * cells;
   }
   return x;
 }
 
 template <int D>
-void DrainedSurfaces<D>::add_place(const Face& face, const FlowPoint<D>& point,
+void DrainedSurfaces<D>::add_place(const Face& face, const SurfacePoint<D>& point,
                                    const Mat3<double>& deformation, const Vec3<double>& middle,
                                    double t, double h, PressureMatrix<D>& matrix) {
   constexpr int corners = 1 << D;
@@ -51,7 +52,7 @@ void DrainedSurfaces<D>::add_place(const Face& face, const FlowPoint<D>& point,
   double x[3] = {}, xi[D];
   for (int a = 0; a < D; ++a) {
     // The hats of the particle's own cell, extended: no node is used that has no particle.
-    xi[a] = point.xi[a] + offset[a] / h;
+    xi[a] = point.xi[std::size_t(a)] + offset[a] / h;
     x[a] = middle[a] + offset[a];
   }
   const DrainageSetup& setup = setups_[std::size_t(face.surface)];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "solver/base/tensor.hpp"
@@ -10,6 +11,15 @@
 #include "solver/coupling/pressure_matrix.hpp"
 
 namespace scree {
+
+/// A particle whose faces drain.
+template <int D>
+struct SurfacePoint {
+  PressureNode<D> cell;
+  std::array<double, D> xi;  ///< position within the cell, in [0, 1)
+  double mobility;           ///< [m^2/(Pa s)]
+  double fluid_density;      ///< [kg/m^3]
+};
 
 /// The surfaces on which pore pressure or flux is given. Their faces are carried by their particles
 /// and deform with them.
@@ -28,21 +38,19 @@ class DrainedSurfaces {
 
   bool empty() const { return faces_.empty(); }
 
-  /// Adds the surfaces' part at time t to the system. point_of: index into the points by id, -1 if
-  /// it left; deformation(id): F of a particle since t = 0; h: spacing of the pressure nodes [m];
-  /// lower, cell_size: to turn points into positions.
-  template <class Deformation>
-  void add(const FlowPoints<D>& points, const std::vector<std::int32_t>& point_of,
-           Deformation&& deformation, double t, double h, double cell_size,
+  /// Adds the surfaces' part at time t to the system. find(id): the point of a particle, nothing if
+  /// it left; deformation(id): its F since t = 0; h: spacing of the pressure nodes [m]; lower,
+  /// cell_size: to turn points into positions.
+  template <class Find, class Deformation>
+  void add(Find&& find, Deformation&& deformation, double t, double h, double cell_size,
            const PressureLattice<D>& lattice, const std::array<double, 3>& lower,
            PressureMatrix<D>& matrix) {
     places_.clear();
     for (const Face& face : faces_) {
-      const std::int32_t index = point_of[std::size_t(face.id)];
-      if (index < 0) continue;
-      const FlowPoint<D>& p = points.points[std::size_t(index)];
-      const Vec3<double> middle = position(p, lattice, lower, cell_size);
-      add_place(face, p, deformation(face.id), middle, t, h, matrix);
+      const std::optional<SurfacePoint<D>> p = find(face.id);
+      if (!p) continue;
+      const Vec3<double> middle = position(*p, lattice, lower, cell_size);
+      add_place(face, *p, deformation(face.id), middle, t, h, matrix);
     }
   }
 
@@ -66,9 +74,9 @@ class DrainedSurfaces {
     double conductance, given, flux, density;
   };
 
-  static Vec3<double> position(const FlowPoint<D>& point, const PressureLattice<D>& lattice,
+  static Vec3<double> position(const SurfacePoint<D>& point, const PressureLattice<D>& lattice,
                                const std::array<double, 3>& lower, double cell_size);
-  void add_place(const Face& face, const FlowPoint<D>& point, const Mat3<double>& deformation,
+  void add_place(const Face& face, const SurfacePoint<D>& point, const Mat3<double>& deformation,
                  const Vec3<double>& middle, double t, double h, PressureMatrix<D>& matrix);
 
   std::vector<DrainageSetup> setups_;

@@ -1,34 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
+#include "solver/base/pack.hpp"
 #include "solver/coupling/pressure_lattice.hpp"
+#include "solver/exec/aligned.hpp"
 #include "solver/grid/block.hpp"
 
 namespace scree {
 
-/// A particle with water in its pores, as a step sees it at its start.
+/// Points of a chunk in one pressure cell; they lie together in FlowPoints.
 template <int D>
-struct FlowPoint {
-  double local[D];       ///< position in cells from its block's lower corner
-  double xi[D];          ///< position within its pressure cell, in [0, 1)
-  double half[D];        ///< half the sides of its box, in pressure cells
-  PressureNode<D> cell;  ///< that cell
-  double volume;         ///< present volume [m^3] (2D: m^2)
-  double storage;        ///< 1/M [1/Pa]
-  double mobility;       ///< [m^2/(Pa s)]
-  double biot;           ///< alpha
-  double fluid_density;  ///< [kg/m^3]
-  double pressure;       ///< at the step's start [Pa]
-  double defect;         ///< volume change of the last step that tr(dt grad v) missed [m^3]
-  std::int64_t id;
-  bool loaded;  ///< by a traction: FlowPoints::moments counts
+struct FlowRun {
+  PressureNode<D> cell{};
+  std::int64_t begin = 0, end = 0;
 };
 
-/// The points of one block of one body, one after the other in FlowPoints::points.
+/// The points of one block of one body, one after the other in FlowPoints, cell by cell.
 template <int D>
 struct FlowChunk {
   std::int64_t begin = 0, end = 0;
@@ -36,16 +29,68 @@ struct FlowChunk {
   std::int32_t grid_block = 0;  ///< in the grid's topology
   std::int32_t body = 0;
   std::int32_t colour = 0;  ///< parity of the block; blocks of one colour share no node
+  std::vector<FlowRun<D>> runs;
+
+  /// Lowest pressure cell that a point of the block may lie in, astray or not, and cells an axis
+  /// from there on.
+  std::int32_t first_cell(int axis, int spacing) const {
+    return block_cells / spacing * block[std::size_t(axis)] - 1;
+  }
+  static constexpr int cells(int spacing) { return block_cells / spacing + 2; }
 };
 
+/// The particles with water in their pores, as a step sees them at its start, field by field.
+/// Behind the last point every field has room for a vector of lanes.
 template <int D>
 struct FlowPoints {
-  std::vector<FlowPoint<D>> points;
-  /// Of loaded points: sum over faces of force (row) times place of the face from the point
-  /// (column), D x D [N m]. Empty where no point is loaded.
-  std::vector<std::array<double, D * D>> moments;
+  using Field = AlignedVector<double>;
+  std::array<Field, D> local;  ///< position in cells from the block's lower corner
+  std::array<Field, D> xi;     ///< position within the point's pressure cell, in [0, 1)
+  std::array<Field, D> half;   ///< half the sides of its box, in pressure cells
+  Field volume;                ///< present volume [m^3] (2D: m^2)
+  Field capacity;              ///< volume/M [m^3/Pa]
+  Field mobility;              ///< [m^2/(Pa s)]
+  Field content;  ///< capacity p - alpha d [m^3]: p pressure at the step's start, d volume change
+                  ///< of the last step that tr(dt grad v) missed
+  std::vector<std::int64_t> id;
   std::vector<FlowChunk<D>> chunks;
+  std::vector<char> loaded;  ///< by a traction: its moment counts
+  /// Of loaded points: sum over faces of force (row) times place of the face from the point
+  /// (column), D x D [N m]. Empty, like `loaded`, where no point is loaded.
+  std::vector<std::array<double, D * D>> moments;
+
+  void resize(std::int64_t points, bool with_moments) {
+    const std::size_t room = std::size_t(points) + lanes_of<Lanes<double>>;
+    for (int a = 0; a < D; ++a) {
+      for (Field* f : {&local[std::size_t(a)], &xi[std::size_t(a)], &half[std::size_t(a)]}) {
+        f->resize(room);
+      }
+    }
+    for (Field* f : {&volume, &capacity, &mobility, &content}) f->resize(room);
+    id.resize(std::size_t(points));
+    loaded.resize(with_moments ? std::size_t(points) : 0);
+    moments.resize(loaded.size());
+  }
+  /// The chunk that holds a point.
+  const FlowChunk<D>& chunk_of(std::int64_t point) const {
+    const auto after =
+        std::upper_bound(chunks.begin(), chunks.end(), point,
+                         [](std::int64_t p, const FlowChunk<D>& chunk) { return p < chunk.begin; });
+    return *std::prev(after);
+  }
+  std::int64_t bytes() const {
+    return std::int64_t((3 * D + 4) * sizeof(double) * volume.capacity() + 8 * id.capacity() +
+                        sizeof(moments[0]) * moments.capacity());
+  }
 };
+
+/// Orders the points of a chunk by pressure cell: sets its runs and, in that order, `local` and
+/// `xi` of the points. local: the positions in the order of the block; rank: place of each behind
+/// chunk.begin.
+template <int D>
+void arrange(FlowChunk<D>& chunk, const PressureLattice<D>& lattice,
+             const std::array<std::vector<double>, D>& local, FlowPoints<D>& points,
+             std::vector<std::int32_t>& rank);
 
 /// Hat functions of a pressure cell's corners at xi (which may lie outside: they are extended).
 /// Corner k has the upper node in axis a where bit D-1-a of k is set.

@@ -7,56 +7,78 @@
 namespace scree {
 namespace {
 
+using Quad = Pack<double, 4>;
+
 /// Over the part of a box within one cell, in one axis: shares of the box.
 struct Slice {
-  std::int32_t shift;  ///< of the cell, from the particle's
-  double share;        ///< of the box's length
-  double hat[2];       ///< integrals of 1 - x and x
-  double product[3];   ///< of (1 - x)^2, x (1 - x) and x^2
+  alignas(32) double product[4];  ///< integrals of (1 - x)^2, x (1 - x) and x^2; zero
+  double hat[2];                  ///< of 1 - x and x
+  double share;                   ///< of the box's length
+  std::int32_t shift;             ///< of the cell, from the particle's
 };
 
-/// Integrals from a to b, coordinates in the cell, over the length of the box.
-Slice slice(std::int32_t shift, double a, double b, double length) {
-  const double n = (b - a) / length, middle = 0.5 * (a + b);
-  const double first = n * middle, second = n * (a * a + a * b + b * b) / 3;
-  return {shift, n, {n - first, first}, {n - 2 * first + second, first - second, second}};
+/// From the share and the means of x and x^2 over the part.
+Slice slice(std::int32_t shift, double share, double mean, double square) {
+  const double first = share * mean, second = share * square;
+  return {{share - 2 * first + second, first - second, second, 0},
+          {share - first, first},
+          share,
+          shift};
+}
+
+/// A part from a to b in the coordinate of the cell; `per`: 1 over the length of the box.
+Slice part(std::int32_t shift, double a, double b, double per) {
+  return slice(shift, (b - a) * per, 0.5 * (a + b), (a * a + a * b + b * b) / 3);
 }
 
 /// A box from xi - half to xi + half, cut at whole numbers. Thinner parts than rounding are left.
 int cut(double xi, double half, Slice (&slices)[4]) {
-  const double length = 2 * half, least = 1e-12;
   const double lower = xi - half, upper = xi + half;
+  if (lower >= 0 && upper <= 1) {
+    slices[0] = slice(0, 1, xi, xi * xi + half * half / 3);
+    return 1;
+  }
+  const double per = 0.5 / half, least = 1e-12;
   int count = 0;
   for (std::int32_t c = std::int32_t(std::floor(lower)); c < upper && count < 4; ++c) {
     const double a = std::max(lower - c, 0.0), b = std::min(upper - c, 1.0);
-    if (b - a > least) slices[count++] = slice(c, a, b, length);
+    if (b - a > least) slices[count++] = part(c, a, b, per);
   }
   return count;
 }
 
-/// Adds the part of a box that `s` cuts out to the moments of the flow and to the source of a cell.
-template <int D>
-void add_part(const Slice (&s)[D], double flow, const double (&weight)[D], double* moments,
-              double* source) {
-  for (int i = 0; i < 3; ++i) {
-    if constexpr (D == 2) {
-      moments[i] += flow * s[0].share * s[1].product[i];
-      moments[3 + i] += flow * s[1].share * s[0].product[i];
-    } else {
-      for (int j = 0; j < 3; ++j) {
-        moments[3 * i + j] += flow * s[0].share * s[1].product[i] * s[2].product[j];
-        moments[9 + 3 * i + j] += flow * s[1].share * s[0].product[i] * s[2].product[j];
-        moments[18 + 3 * i + j] += flow * s[2].share * s[0].product[i] * s[1].product[j];
-      }
+void add_line(double scale, const double* products, double* sums) {
+  store(sums, mul_add(broadcast<Quad>(scale), load<Quad>(products), load<Quad>(sums)));
+}
+
+/// Adds the part of a box that `s` cuts out to the moments of the flow.
+template <int D, int lines>
+void add_part(const Slice* const (&s)[D], double flow, double (&moments)[D][lines][4]) {
+  if constexpr (D == 2) {
+    add_line(flow * s[0]->share, s[1]->product, moments[0][0]);
+    add_line(flow * s[1]->share, s[0]->product, moments[1][0]);
+  } else {
+    const double x = flow * s[0]->share, y = flow * s[1]->share, z = flow * s[2]->share;
+    for (int i = 0; i < 3; ++i) {
+      add_line(x * s[1]->product[i], s[2]->product, moments[0][i]);
+      add_line(y * s[0]->product[i], s[2]->product, moments[1][i]);
+      add_line(z * s[0]->product[i], s[1]->product, moments[2][i]);
     }
   }
-  for (int k = 0; k < (1 << D); ++k) {
-    for (int a = 0; a < D; ++a) {
-      double slope = (k >> (D - 1 - a) & 1) ? s[a].share : -s[a].share;
+}
+
+/// Adds the same part, times a vector, to the source of the cell.
+template <int D>
+void add_weight(const Slice* const (&s)[D], const double (&weight)[D], double* source) {
+  for (int a = 0; a < D; ++a) {
+    if (weight[a] == 0) continue;
+    const double up = weight[a] * s[a]->share;
+    for (int k = 0; k < (1 << D); ++k) {
+      double slope = (k >> (D - 1 - a) & 1) != 0 ? up : -up;
       for (int b = 0; b < D; ++b) {
-        if (b != a) slope *= s[b].hat[k >> (D - 1 - b) & 1];
+        if (b != a) slope *= s[b]->hat[k >> (D - 1 - b) & 1];
       }
-      source[k] += weight[a] * slope;
+      source[k] += slope;
     }
   }
 }
@@ -78,82 +100,113 @@ const std::vector<char>& PoreCells<D>::find_cells(const FlowPoints<D>& points) {
     }
   }
   cells_.clear();
-  for (const FlowPoint<D>& p : points.points) {
-    std::int32_t& number = number_[std::size_t(lattice_.index(p.cell))];
-    if (number >= 0) continue;
-    number = std::int32_t(cells_.size());
-    cells_.emplace_back();
-    cells_.back().lower = p.cell;
-    for (int k = 0; k < corners; ++k) {
-      marks_[std::size_t(lattice_.index(corner<D>(p.cell, k)))] = 1;
+  for (const FlowChunk<D>& chunk : points.chunks) {
+    for (const FlowRun<D>& run : chunk.runs) {
+      std::int32_t& number = number_[std::size_t(lattice_.index(run.cell))];
+      if (number >= 0) continue;
+      number = std::int32_t(cells_.size());
+      cells_.emplace_back();
+      cells_.back().lower = run.cell;
+      for (int k = 0; k < corners; ++k) {
+        marks_[std::size_t(lattice_.index(corner<D>(run.cell, k)))] = 1;
+      }
     }
   }
   return marks_;
 }
 
 template <int D>
-void PoreCells<D>::assemble(const FlowPoints<D>& points, double dt,
-                            const std::array<double, 3>& gravity, double h) {
-  for (const FlowPoint<D>& p : points.points) {
-    Cell& cell = cells_[std::size_t(number_[std::size_t(lattice_.index(p.cell))])];
-    double e[D][3];
-    for (int a = 0; a < D; ++a) {
-      const double x = p.xi[a], y = 1 - x;
+void PoreCells<D>::assemble(const FlowPoints<D>& points, double dt, double h,
+                            const std::vector<Weight>& weight, double largest_half,
+                            ThreadPool& pool) {
+  // Blocks of one colour share no cell as long as no box is longer than one and a half; cells
+  // beyond a periodic face are those within the other, whatever the colours.
+  constexpr double longest = 0.75;
+  const bool alone = largest_half > longest || lattice_.periodic();
+  for (std::size_t body = 0; body < weight.size(); ++body) {
+    for (std::int32_t colour = 0; colour < (1 << D); ++colour) {
+      std::vector<const FlowChunk<D>*> together;
+      for (const FlowChunk<D>& chunk : points.chunks) {
+        if (chunk.body == std::int32_t(body) && chunk.colour == colour) together.push_back(&chunk);
+      }
+      const auto add_chunk = [&](std::int64_t c, int) {
+        for (const FlowRun<D>& run : together[std::size_t(c)]->runs) {
+          add_run(points, run, dt, h, weight[body]);
+        }
+      };
+      if (!alone) pool.for_each(std::int64_t(together.size()), add_chunk);
+      for (std::size_t c = 0; c < together.size() && alone; ++c) add_chunk(std::int64_t(c), 0);
+    }
+  }
+}
+
+template <int D>
+void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, double dt, double h,
+                           const Weight& weight) {
+  Cell& cell = cells_[std::size_t(number_[std::size_t(lattice_.index(run.cell))])];
+  const double per_dt = 1 / dt;
+  for (std::size_t i = std::size_t(run.begin); i < std::size_t(run.end); ++i) {
+    alignas(32) double e[D][4];
+    double xi[D];
+    for (std::size_t a = 0; a < D; ++a) {
+      const double x = xi[a] = points.xi[a][i], y = 1 - x;
       e[a][0] = y * y;
       e[a][1] = x * y;
       e[a][2] = x * x;
+      e[a][3] = 0;
     }
-    const double storage = p.volume * p.storage / dt;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        const double ij = storage * e[0][i] * e[1][j];
-        if constexpr (D == 2) {
-          cell.storage[3 * i + j] += ij;
-        } else {
-          for (int k = 0; k < 3; ++k) cell.storage[9 * i + 3 * j + k] += ij * e[2][k];
+    const double storage = points.capacity[i] * per_dt;
+    for (int j = 0; j < 3; ++j) {
+      if constexpr (D == 2) {
+        add_line(storage * e[0][j], e[1], cell.storage[j]);
+      } else {
+        for (int k = 0; k < 3; ++k) {
+          add_line(storage * e[0][j] * e[1][k], e[2], cell.storage[3 * j + k]);
         }
       }
     }
     double n[corners];
-    hats<D>(p.xi, n);
-    const double content = storage * p.pressure - p.biot * p.defect / dt;
+    hats<D>(xi, n);
+    const double content = points.content[i] * per_dt;
     for (int k = 0; k < corners; ++k) cell.source[k] += content * n[k];
-    add_flow(p, gravity, h);
+    add_flow(points, i, run.cell, h, weight, cell);
   }
 }
 
 /// The parts of a particle's box, each in its cell.
 template <int D>
-void PoreCells<D>::add_flow(const FlowPoint<D>& p, const std::array<double, 3>& gravity, double h) {
+void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
+                            const PressureNode<D>& home, double h, const Weight& weight,
+                            Cell& own) {
   Slice slices[D][4];
   int count[D], parts = 1;
-  for (int a = 0; a < D; ++a) {
-    count[a] = cut(p.xi[a], p.half[a], slices[a]);
+  double pull[D];
+  const double conductance = points.volume[point] * points.mobility[point] / h;
+  for (std::size_t a = 0; a < D; ++a) {
+    count[a] = cut(points.xi[a][point], points.half[a][point], slices[a]);
     parts *= count[a];
+    pull[a] = conductance * weight[a];
   }
-  const double flow = p.volume * p.mobility / (h * h);
-  double weight[D];
-  for (int a = 0; a < D; ++a) {
-    weight[a] = p.volume * p.mobility * p.fluid_density / h * gravity[std::size_t(a)];
-  }
-  for (int part = 0; part < parts; ++part) {
-    Slice s[D];
-    PressureNode<D> lower = p.cell;
-    for (int a = D - 1, rest = part; a >= 0; rest /= count[a], --a) {
-      s[a] = slices[a][rest % count[a]];
-      lower[a] += s[a].shift;
+  for (int number = 0; number < parts; ++number) {
+    const Slice* s[D];
+    Slice extended[D];
+    PressureNode<D> lower = home;
+    for (int a = D - 1, rest = number; a >= 0; rest /= count[a], --a) {
+      s[a] = &slices[a][rest % count[a]];
+      lower[std::size_t(a)] += s[a]->shift;
     }
-    std::int32_t number = number_[std::size_t(lattice_.index(lower))];
-    if (number < 0) {
-      for (int a = 0; a < D; ++a) {
-        const double b = s[a].shift;
-        const double from = std::max(p.xi[a] - p.half[a], b);
-        s[a] = slice(0, from, std::min(p.xi[a] + p.half[a], b + 1), 2 * p.half[a]);
+    Cell* cell = &own;
+    if (lower != home) {
+      const std::int32_t other = number_[std::size_t(lattice_.index(lower))];
+      if (other >= 0) cell = &cells_[std::size_t(other)];
+      for (std::size_t a = 0; a < D && other < 0; ++a) {
+        const double b = s[a]->shift, xi = points.xi[a][point], half = points.half[a][point];
+        extended[a] = part(0, std::max(xi - half, b), std::min(xi + half, b + 1), 0.5 / half);
+        s[a] = &extended[a];
       }
-      number = number_[std::size_t(lattice_.index(p.cell))];
     }
-    Cell& cell = cells_[std::size_t(number)];
-    add_part<D>(s, flow, weight, cell.flow, cell.source);
+    add_part<D, lines>(s, conductance / h, cell->flow);
+    add_weight<D>(s, pull, cell->source);
   }
 }
 
@@ -166,23 +219,23 @@ void PoreCells<D>::add(PressureMatrix<D>& matrix) const {
     }
   }
   for (const Cell& cell : cells_) {
+    std::int32_t row[corners];
     for (int j = 0; j < corners; ++j) {
-      const std::int32_t row = matrix.row(corner<D>(cell.lower, j));
-      matrix.rhs()[std::size_t(row)] += cell.source[j];
-      for (int l = 0; l < corners; ++l) {
-        int product = 0;
-        double value = 0;
+      row[j] = matrix.row(corner<D>(cell.lower, j));
+      matrix.rhs()[std::size_t(row[j])] += cell.source[j];
+    }
+    for (int j = 0; j < corners; ++j) {
+      for (int l = j; l < corners; ++l) {
+        int product[D];
+        for (int a = 0; a < D; ++a) product[a] = (j >> (D - 1 - a) & 1) + (l >> (D - 1 - a) & 1);
+        double value = D == 2 ? cell.storage[product[0]][product[1]]
+                              : cell.storage[3 * product[0] + product[1]][product[D - 1]];
         for (int a = 0; a < D; ++a) {
-          const int bit = D - 1 - a;
-          product = 3 * product + (j >> bit & 1) + (l >> bit & 1);
-          int others = 0;
-          for (int b = 0; b < D; ++b) {
-            if (b != a) others = 3 * others + (j >> (D - 1 - b) & 1) + (l >> (D - 1 - b) & 1);
-          }
-          const double sign = (j >> bit & 1) == (l >> bit & 1) ? 1.0 : -1.0;
-          value += sign * cell.flow[a * (slopes / D) + others];
+          const double sign = product[a] == 1 ? -1.0 : 1.0;
+          const int line = D == 2 ? 0 : product[a == 0 ? 1 : 0];
+          value += sign * cell.flow[a][line][product[a == D - 1 ? D - 2 : D - 1]];
         }
-        matrix.add(row, offset[j][l], value + cell.storage[product]);
+        matrix.add(row[j], offset[j][l], value);
       }
     }
   }

@@ -31,9 +31,13 @@ class PoreCells {
   /// Marks of the nodes that the points' cells touch, by lattice node.
   const std::vector<char>& find_cells(const FlowPoints<D>& points);
 
-  /// Moments of the points; dt [s], gravity [m/s^2], spacing of the nodes h [m].
-  void assemble(const FlowPoints<D>& points, double dt, const std::array<double, 3>& gravity,
-                double h);
+  /// What the weight of a body's water does to its flow: density times gravity [N/m^3].
+  using Weight = std::array<double, D>;
+
+  /// Moments of the points; dt [s], spacing of the nodes h [m], weight of each body's water,
+  /// largest half side of a box in cells.
+  void assemble(const FlowPoints<D>& points, double dt, double h, const std::vector<Weight>& weight,
+                double largest_half, ThreadPool& pool);
 
   /// matrix += S/dt + H; rhs += S p/dt - defect/dt + weight of the water.
   void add(PressureMatrix<D>& matrix) const;
@@ -42,20 +46,22 @@ class PoreCells {
 
  private:
   static constexpr int corners = 1 << D;
-  static constexpr int products = D == 2 ? 9 : 27;
-  static constexpr int slopes = D == 2 ? 6 : 27;  ///< D axes, 3^(D-1) products of the others
+  static constexpr int lines = D == 2 ? 1 : 3;  ///< of three products of the last axis, and a zero
 
-  struct Cell {
-    PressureNode<D> lower{};
-    double storage[products] = {};
-    double flow[slopes] = {};
+  struct alignas(32) Cell {
+    double storage[3 * lines][4] = {};
+    double flow[D][lines][4] = {};  ///< by the axis of the slopes: products of the others
     double source[corners] = {};
+    PressureNode<D> lower{};
   };
 
-  void add_flow(const FlowPoint<D>& point, const std::array<double, 3>& gravity, double h);
+  void add_run(const FlowPoints<D>& points, const FlowRun<D>& run, double dt, double h,
+               const Weight& weight);
+  void add_flow(const FlowPoints<D>& points, std::size_t point, const PressureNode<D>& home,
+                double h, const Weight& weight, Cell& own);
 
   PressureLattice<D> lattice_;
-  std::vector<Cell> cells_;
+  AlignedVector<Cell> cells_;
   std::vector<std::int32_t> number_;  ///< of the cell with this lower node, -1: no particle
   std::vector<char> marks_;
 };

@@ -12,6 +12,7 @@ PressureMatrix<D>::PressureMatrix(const PressureLattice<D>& lattice, int reach)
     : lattice_(lattice),
       reach_(reach),
       width_(power(2 * reach + 1, D)),
+      centre_(width_ / 2),
       row_of_(std::size_t(lattice.size()), -1),
       row_begin_(1, 0) {}
 
@@ -32,7 +33,8 @@ bool PressureMatrix<D>::set_nodes(const std::vector<char>& marks) {
     }
     build_pattern();
   }
-  values_.assign(columns_.size(), 0.0);
+  half_.assign(nodes_.size() * std::size_t(centre_ + 1), 0.0);
+  values_.resize(columns_.size());
   rhs_.assign(nodes_.size(), 0.0);
   return !same;
 }
@@ -41,11 +43,12 @@ template <int D>
 void PressureMatrix<D>::build_pattern() {
   row_begin_.assign(1, 0);
   columns_.clear();
-  place_.assign(nodes_.size() * std::size_t(width_), -1);
-  const std::size_t width = std::size_t(width_);
-  std::vector<std::int32_t> near(width);
+  source_.clear();
+  further_.clear();
+  std::vector<std::pair<std::int32_t, std::int32_t>> near;  // row, source
   for (std::size_t r = 0; r < nodes_.size(); ++r) {
     const PressureNode<D> node = lattice_.node(nodes_[r]);
+    near.clear();
     for (int o = 0; o < width_; ++o) {
       PressureNode<D> other = node;
       for (int a = D - 1, rest = o; a >= 0; --a, rest /= 2 * reach_ + 1) {
@@ -53,39 +56,38 @@ void PressureMatrix<D>::build_pattern() {
       }
       const std::int64_t index = lattice_.index(other);
       const bool inside = index >= 0 && index < std::int64_t(row_of_.size());
-      near[std::size_t(o)] = inside ? row_of_[std::size_t(index)] : -1;
+      const std::int32_t c = inside ? row_of_[std::size_t(index)] : -1;
+      if (c < 0) continue;
+      const std::int32_t from = o >= centre_ ? std::int32_t(r) : c;
+      near.emplace_back(c, from * (centre_ + 1) + std::abs(o - centre_));
     }
-    // In a short periodic axis several offsets lead to the same node.
-    std::vector<std::int32_t> sorted;
-    for (const std::int32_t c : near) {
-      if (c >= 0) sorted.push_back(c);
+    std::stable_sort(near.begin(), near.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      if (i > 0 && near[i].first == near[i - 1].first) {
+        further_.emplace_back(std::int32_t(columns_.size()) - 1, near[i].second);
+        continue;
+      }
+      columns_.push_back(near[i].first);
+      source_.push_back(near[i].second);
     }
-    std::sort(sorted.begin(), sorted.end());
-    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-    for (int o = 0; o < width_; ++o) {
-      if (near[std::size_t(o)] < 0) continue;
-      const auto at = std::lower_bound(sorted.begin(), sorted.end(), near[std::size_t(o)]);
-      place_[r * std::size_t(width_) + std::size_t(o)] =
-          row_begin_.back() + std::int32_t(at - sorted.begin());
-    }
-    columns_.insert(columns_.end(), sorted.begin(), sorted.end());
     row_begin_.push_back(std::int32_t(columns_.size()));
   }
 }
 
 template <int D>
-void PressureMatrix<D>::add_pair(std::int32_t r, std::int32_t c, double value) {
-  const auto first = columns_.begin() + row_begin_[std::size_t(r)];
-  const auto last = columns_.begin() + row_begin_[std::size_t(r) + 1];
-  const auto at = std::lower_bound(first, last, c);
-  if (at != last && *at == c) values_[std::size_t(at - columns_.begin())] += value;
+void PressureMatrix<D>::finish() {
+  for (std::size_t i = 0; i < source_.size(); ++i) values_[i] = half_[std::size_t(source_[i])];
+  for (const auto& [entry, source] : further_) {
+    values_[std::size_t(entry)] += half_[std::size_t(source)];
+  }
 }
 
 template <int D>
 std::int64_t PressureMatrix<D>::bytes() const {
   const std::size_t whole = row_of_.capacity() + row_begin_.capacity() + columns_.capacity() +
-                            place_.capacity() + 2 * nodes_.capacity();
-  return std::int64_t(4 * whole + 8 * (values_.capacity() + rhs_.capacity()));
+                            source_.capacity() + 2 * nodes_.capacity() + 2 * further_.capacity();
+  return std::int64_t(4 * whole + 8 * (values_.capacity() + rhs_.capacity() + half_.capacity()));
 }
 
 template class PressureMatrix<2>;

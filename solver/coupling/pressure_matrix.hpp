@@ -2,15 +2,21 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solver/coupling/pressure_lattice.hpp"
+#include "solver/exec/aligned.hpp"
 
 namespace scree {
 
 /// The symmetric matrix of the pressure system and its right-hand side, on the nodes of a lattice
 /// that touch water. Rows are the nodes in the lattice's order; each holds all nodes of the set at
 /// most `reach` away in every axis.
+///
+/// It is summed up in a stencil of fixed shape: each row has a place for itself and every node
+/// that comes after it in its neighbourhood, whether of the set or not. finish() makes compressed
+/// rows of it.
 template <int D>
 class PressureMatrix {
  public:
@@ -29,22 +35,31 @@ class PressureMatrix {
   // Compressed rows: columns of a row ascend.
   const std::vector<std::int32_t>& row_begin() const { return row_begin_; }
   const std::vector<std::int32_t>& columns() const { return columns_; }
+  /// Valid after finish().
   const std::vector<double>& values() const { return values_; }
   std::vector<double>& rhs() { return rhs_; }
   const std::vector<double>& rhs() const { return rhs_; }
 
-  /// Adds to the entry of row r and the node `offset` away, offset counted by offset_index().
-  void add(std::int32_t r, int offset, double value) {
-    const std::int32_t at = place_[std::size_t(r) * std::size_t(width_) + std::size_t(offset)];
-    if (at >= 0) values_[std::size_t(at)] += value;
-  }
+  /// Number of the offset between two nodes, in the order of the lattice.
   int offset_index(const PressureNode<D>& from, const PressureNode<D>& to) const {
     int at = 0;
     for (int a = 0; a < D; ++a) at = at * (2 * reach_ + 1) + (to[a] - from[a] + reach_);
     return at;
   }
-  /// The same for any two rows; slower. Rows farther apart than the reach have no entry.
-  void add_pair(std::int32_t r, std::int32_t c, double value);
+  /// Adds to the entry of row r and the node `offset` away, and to the entry that mirrors it.
+  /// Offsets that lead back in the order of the lattice are left out: the same pair comes from the
+  /// other side.
+  void add(std::int32_t r, int offset, double value) {
+    if (offset >= centre_) stencil(r)[offset - centre_] += value;
+  }
+  /// The places of row r from the offset to itself on, which has the number centre().
+  double* stencil(std::int32_t r) {
+    return half_.data() + std::size_t(r) * std::size_t(centre_ + 1);
+  }
+  int centre() const { return centre_; }
+
+  /// Fills values().
+  void finish();
 
   int reach() const { return reach_; }
   std::int64_t bytes() const;
@@ -54,11 +69,15 @@ class PressureMatrix {
 
   PressureLattice<D> lattice_;
   int reach_;
-  int width_;  ///< offsets of a row
+  int width_;   ///< offsets of a row
+  int centre_;  ///< number of the offset zero
   std::vector<std::int64_t> nodes_;
   std::vector<std::int32_t> row_of_;  ///< by lattice node
   std::vector<std::int32_t> row_begin_, columns_;
-  std::vector<std::int32_t> place_;  ///< entry of each row and offset, -1: none
+  std::vector<std::int32_t> source_;  ///< of each entry, in half_
+  /// Further sources of entries: in a short periodic axis several offsets lead to one node.
+  std::vector<std::pair<std::int32_t, std::int32_t>> further_;
+  AlignedVector<double> half_;
   std::vector<double> values_, rhs_;
 };
 

@@ -27,6 +27,11 @@ using InverseMass = std::array<double, D>;
 /// (x_i - x_p), else grad w). The nodal force of a pressure is Q p; the rate of the pores' volume
 /// in hat j is Q^T v over the number of lattices. One symbol for both makes momentum and volume
 /// exact.
+///
+/// Velocity nodes that touch the same pressure nodes form a group: spacing^D nodes of each lattice
+/// with width()^D hats. A group's rows lie together, node by node and axis by axis, so the products
+/// are dense and run through memory in order. Pressure cell and group fit each other: the points of
+/// a cell touch the nodes of (width() - 1)^D whole groups, each with the 2^D hats of the cell.
 template <int D>
 class VolumeOperator {
  public:
@@ -39,7 +44,8 @@ class VolumeOperator {
   /// Must be called when the grid's blocks have changed.
   void rebuild(const Topology<D>& topology);
 
-  void assemble(const FlowPoints<D>& points, const Topology<D>& topology, ThreadPool& pool);
+  /// biot: alpha of each body.
+  void assemble(const FlowPoints<D>& points, const std::vector<double>& biot, ThreadPool& pool);
 
   /// Forces on the nodes by the points' moments, f_i = sum_p moment_p g_ip, D entries a node; empty
   /// where no point is loaded. Folded like Q.
@@ -50,60 +56,83 @@ class VolumeOperator {
   void fold(std::int64_t root, std::int64_t ghost, const std::array<std::int8_t, D>& sign,
             const PressureMatrix<D>& matrix);
 
-  /// matrix += factor * sum over nodes of Q_i^T M_i^-1 Q_i, without the nodes in other hands.
-  void add_schur(const std::vector<InverseMass<D>>& inverse, double factor,
-                 PressureMatrix<D>& matrix, ThreadPool& pool) const;
-
-  /// rhs -= factor * Q^T v; v: D entries a node.
-  void subtract_rate(const std::vector<double>& velocity, double factor, PressureMatrix<D>& matrix,
-                     ThreadPool& pool) const;
+  /// matrix += schur * sum over nodes of Q_i^T M_i^-1 Q_i, without the nodes in other hands;
+  /// right-hand side -= rate * Q^T v; velocity: D entries a node.
+  void add(const std::vector<InverseMass<D>>& inverse, double schur,
+           const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
+           ThreadPool& pool) const;
 
   /// force = Q p; D entries a node.
   void force(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
              std::vector<double>& force, ThreadPool& pool) const;
 
-  /// Q_ij of node `record`: entry axis * width()^D + j; j counts the nodes from base(record), last
-  /// axis fastest.
+  /// Q_ij of node `record`: entry axis * stride() + j; j counts the nodes from base(record), last
+  /// axis fastest, up to hats(). Null: nothing touches it.
   const double* block(std::int64_t record) const {
-    return q_.data() + std::size_t(record) * std::size_t(D * hats_);
+    const std::size_t place = std::size_t(place_[std::size_t(record)]);
+    return empty_[place] != 0 ? nullptr : q_.data() + place * std::size_t(D * stride_);
   }
-  const PressureNode<D>& base(std::int64_t record) const { return base_[std::size_t(record)]; }
+  const PressureNode<D>& base(std::int64_t record) const {
+    return groups_[std::size_t(place_[std::size_t(record)] / slots_)];
+  }
   /// Rows of the pressure nodes of a velocity node, -1 where there is no water.
   void rows(std::int64_t record, const PressureMatrix<D>& matrix,
             std::vector<std::int32_t>& rows) const;
   int hats() const { return hats_; }
+  int stride() const { return stride_; }
+  /// Hat j of a node, from its base.
+  PressureNode<D> hat(int j) const;
 
   std::int64_t bytes() const;
 
  private:
-  /// Velocity nodes that touch the same pressure nodes.
-  struct Group {
-    PressureNode<D> base;
-    std::int32_t begin, end;  ///< in members_
-  };
+  // volume_scatter.cpp
+  template <class Kernel, int spacing>
+  void scatter(const FlowPoints<D>& points, const std::vector<double>& biot, ThreadPool& pool);
+  template <class Kernel, int spacing>
+  void scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk, double biot);
+  template <class Kernel, int spacing, class Scratch>
+  void flush(const PressureNode<D>& cell, const int (&lowest)[Kernel::lattices][D],
+             const Scratch& scratch);
 
+  // volume_products.cpp
+  template <int N>
+  void add_groups(const std::vector<InverseMass<D>>& inverse, double schur,
+                  const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
+                  ThreadPool& pool) const;
+  template <int N>
+  void group_force(std::size_t group, const double* pressure, double* force) const;
+  void group_rows(std::size_t group, const PressureMatrix<D>& matrix, std::int32_t* rows) const;
   template <class F>
-  void each_group(ThreadPool& pool, F&& f) const;
-  template <class Kernel>
-  void scatter(const FlowPoints<D>& points, const Topology<D>& topology, ThreadPool& pool);
-  template <class Kernel, bool affine>
-  void scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk,
-                     const Topology<D>& topology);
+  void each_pencil(ThreadPool& pool, F&& f) const;
+
+  std::int32_t lowest_node(int lattice) const;
+  std::int32_t find_group(const PressureNode<D>& base) const;
+  void number_groups(const std::vector<PressureNode<D>>& base);
+  void find_pencils();
+  double* touched(std::size_t place);
 
   PressureLattice<D> lattice_;
   KernelType kernel_;
   TransferType transfer_;
   double cell_size_;
   int width_;
-  int hats_;  ///< width_^D
+  int hats_;    ///< width_^D
+  int stride_;  ///< hats_, up to a multiple of four
   int lattices_;
-  double reach_;  ///< half support of the kernel [cells]
-  std::vector<PressureNode<D>> base_;
-  std::vector<std::int32_t> members_;
-  std::vector<Group> groups_;
-  std::vector<std::vector<std::int32_t>> colours_;  ///< groups that share no pressure node
-  std::vector<double> q_;
-  std::vector<double> load_;
+  int slots_;                            ///< nodes of a group
+  double reach_;                         ///< half support of the kernel [cells]
+  std::vector<PressureNode<D>> groups_;  ///< lowest hats, in their order
+  std::vector<std::int32_t> record_;     ///< by place = group * slots_ + slot; -1: not active
+  std::vector<std::int32_t> place_;      ///< by record
+  PressureNode<D> corner_{}, extent_{};  ///< of the box that holds all groups
+  std::vector<std::int32_t> group_at_;   ///< in that box, -1: none
+  /// Groups that differ in the last axis only, begin and end; sets that share no pressure node.
+  std::vector<std::pair<std::int32_t, std::int32_t>> pencils_;
+  std::vector<std::vector<std::int32_t>> colours_;
+  AlignedVector<double> q_;   ///< by place
+  std::vector<char> empty_;   ///< by place: nothing has been written to q_ in this step
+  std::vector<double> load_;  ///< by record
 };
 
 extern template class VolumeOperator<2>;

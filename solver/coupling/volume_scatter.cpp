@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Particles to the operator Q, a block of particles at a time.
+// Particles to the operator Q: the points of a pressure cell into a small dense array, from there
+// to the groups around the cell.
 #include <algorithm>
 #include <cmath>
 
@@ -11,178 +12,292 @@
 namespace scree {
 namespace {
 
-/// The nodes around one block: where they lie in the grid and which pressure nodes they touch.
-template <class Kernel, int D>
-struct Surroundings {
-  static constexpr int extent = Kernel::arena_extent;
-  static constexpr int arena = Kernel::lattices * power(extent, D);
-  std::int64_t record[arena];
-  std::int32_t base[Kernel::lattices][D][extent];  ///< lowest pressure node, axis by axis
+using Wide = Lanes<double>;
+constexpr int width = lanes_of<Wide>;
 
-  Surroundings(const FlowChunk<D>& chunk, const Topology<D>& topology,
-               const PressureLattice<D>& lattice, double reach) {
-    for (int l = 0; l < Kernel::lattices; ++l) {
-      for (int a = 0; a < D; ++a) {
-        for (int i = 0; i < extent; ++i) {
-          const double x =
-              block_cells * chunk.block[std::size_t(a)] + Kernel::first_node(l) + i + 0.5 * l;
-          base[l][a][i] = int(std::floor(lattice.coordinate(x - reach)));
-        }
-      }
-    }
-    const std::int32_t* near = topology.neighbours(chunk.grid_block);
-    for (int n = 0; n < arena; ++n) {
-      const int l = n / power(extent, D);
-      int rest = n % power(extent, D), block = 0, local = 0;
-      int index[D];
-      for (int a = D - 1; a >= 0; --a, rest /= extent) {
-        index[a] = Kernel::first_node(l) + rest % extent;
-      }
-      for (int a = 0; a < D; ++a) {
-        block = 3 * block + block_of_node(index[a]) + 1;
-        local = block_cells * local + node_in_block(index[a]);
-      }
-      record[n] =
-          near[block] < 0
-              ? -1
-              : (std::int64_t(near[block]) * Kernel::lattices + l) * block_node_count<D> + local;
+/// The nodes that the points of one pressure cell touch, and what comes together at them.
+template <class Kernel, int D, int spacing>
+struct CellScratch {
+  static constexpr int reach = spacing == 1 ? 3 : 2;  ///< groups an axis
+  static constexpr int extent = reach * spacing;      ///< nodes an axis and lattice
+  static constexpr int nodes = power(extent, D);
+  static constexpr int corners = 1 << D;
+
+  alignas(64) double q[Kernel::lattices * nodes][D][corners];
+  double load[Kernel::lattices * nodes][D];
+
+  void clear(bool loads) {
+    std::fill(&q[0][0][0], &q[0][0][0] + sizeof(q) / sizeof(double), 0.0);
+    if (loads) std::fill(&load[0][0], &load[0][0] + sizeof(load) / sizeof(double), 0.0);
+  }
+};
+
+/// Digits of n in a number system of `extent`, last axis fastest, read in one of `other`.
+template <int D, int extent, int other>
+constexpr int change_extent(int n) {
+  int result = 0;
+  for (int a = 0, stride = 1; a < D; ++a, n /= extent, stride *= other) {
+    result += n % extent * stride;
+  }
+  return result;
+}
+
+/// Numbers of arena nodes, changed to those of a cell's nodes.
+template <class Kernel, int D, int extent>
+struct ArenaNodes {
+  static constexpr int count = power(Kernel::arena_extent, D);
+  std::array<std::int16_t, std::size_t(count)> at{};
+  constexpr ArenaNodes() {
+    for (int n = 0; n < count; ++n) {
+      at[std::size_t(n)] = std::int16_t(change_extent<D, Kernel::arena_extent, extent>(n));
     }
   }
 };
 
-/// D^-1 [1/cells^2] of a particle.
-template <class Kernel, int D, class Point>
-void inverse_moment(const Point& point, double (&inverse)[D][D]) {
-  double one[D][D] = {};
-  for (int a = 0; a < D; ++a) one[a][a] = 1;
-  Kernel::template times_inverse_moment<double, D>(point, one, inverse);
+Wide load_any(const double* p) {
+  Wide v;
+  __builtin_memcpy(&v, p, sizeof(v));
+  return v;
 }
 
-/// Node `n` of a particle's stencil on lattice l: its digits, axis by axis.
-template <int D, int S>
-void digits(int n, int (&digit)[D]) {
-  for (int a = D - 1; a >= 0; --a, n /= S) digit[a] = n % S;
+/// A vector of points: nodes, gradients [1/cell] and hats, all of them times `scale`.
+template <class Kernel, int D>
+struct Batch {
+  static constexpr int nodes = power(Kernel::support, D), corners = 1 << D;
+  alignas(64) double gradient[Kernel::lattices][nodes][D][width];
+  alignas(64) double hat[width][corners];
+  int base[Kernel::lattices][width];  ///< arena node, lattice by lattice
+};
+
+/// Gradients of mls: w D^-1 (x_i - x_p).
+template <class Kernel, int D, class Point>
+void affine_gradients(const Point& at, Batch<Kernel, D>& batch) {
+  constexpr int S = Kernel::support;
+  Wide one[D][D], inverse[D][D];
+  for (int a = 0; a < D; ++a) {
+    for (int b = 0; b < D; ++b) one[a][b] = broadcast<Wide>(a == b ? 1.0 : 0.0);
+  }
+  Kernel::template times_inverse_moment<Wide, D>(at, one, inverse);
+  for (int l = 0; l < Kernel::lattices; ++l) {
+    for (int s = 0; s < power(S, D); ++s) {
+      Wide weight = broadcast<Wide>(1.0), offset[D];
+      for (int a = D - 1, rest = s; a >= 0; --a, rest /= S) {
+        weight = weight * at.stencil.weight[l][a][rest % S];
+        offset[a] = at.stencil.offset[l][a] + double(rest % S);
+      }
+      for (int a = 0; a < D; ++a) {
+        Wide sum = inverse[a][0] * offset[0];
+        for (int b = 1; b < D; ++b) sum = mul_add(inverse[a][b], offset[b], sum);
+        store(batch.gradient[l][s][a], sum * weight);
+      }
+    }
+  }
+}
+
+/// Gradients of the weights.
+template <class Kernel, int D, class Point>
+void weight_gradients(const Point& at, Batch<Kernel, D>& batch) {
+  constexpr int S = Kernel::support;
+  const auto slopes = Kernel::template slopes<Wide, D>(at);
+  for (int l = 0; l < Kernel::lattices; ++l) {
+    for (int s = 0; s < power(S, D); ++s) {
+      for (int a = 0; a < D; ++a) {
+        Wide g = broadcast<Wide>(1.0);
+        for (int b = D - 1, rest = s; b >= 0; --b, rest /= S) {
+          g = g * (a == b ? slopes.slope[l][b][rest % S] : at.stencil.weight[l][b][rest % S]);
+        }
+        store(batch.gradient[l][s][a], g);
+      }
+    }
+  }
+}
+
+template <class Kernel, int D>
+void fill_batch(const FlowPoints<D>& points, std::int64_t first, double scale, bool affine,
+                Batch<Kernel, D>& batch) {
+  Wide u[D], xi[D];
+  for (int a = 0; a < D; ++a) {
+    u[a] = load_any(points.local[std::size_t(a)].data() + first);
+    xi[a] = load_any(points.xi[std::size_t(a)].data() + first);
+  }
+  const auto at = Kernel::template at<Wide, D>(u);
+  if constexpr (Kernel::has_inverse_moment) {
+    if (affine) {
+      affine_gradients<Kernel, D>(at, batch);
+    } else {
+      weight_gradients<Kernel, D>(at, batch);
+    }
+  } else {
+    weight_gradients<Kernel, D>(at, batch);
+  }
+  for (int l = 0; l < Kernel::lattices; ++l) {
+    for (int i = 0; i < width; ++i) batch.base[l][i] = int(lane(at.stencil.base[l], i));
+  }
+  const Wide pull = load_any(points.volume.data() + first) * scale;
+  for (int k = 0; k < (1 << D); ++k) {
+    Wide n = pull;
+    for (int a = 0; a < D; ++a) n = n * ((k >> (D - 1 - a) & 1) != 0 ? xi[a] : 1.0 - xi[a]);
+    for (int i = 0; i < width; ++i) batch.hat[i][k] = lane(n, i);
+  }
+}
+
+/// Adds the points `begin` to `end`, all of one cell. lowest[l][a]: place of the arena's lowest
+/// node of a lattice among the cell's.
+template <class Kernel, int D, int spacing>
+// NOLINTNEXTLINE(readability-function-size): a kernel's body
+void add_points(const FlowPoints<D>& points, std::int64_t begin, std::int64_t end, double scale,
+                double cell_size, bool affine, const int (&lowest)[Kernel::lattices][D],
+                CellScratch<Kernel, D, spacing>& scratch) {
+  using Scratch = CellScratch<Kernel, D, spacing>;
+  using Hats = Pack<double, Scratch::corners>;
+  constexpr int S = Kernel::support, nodes = power(S, D), extent = Scratch::extent;
+  static constexpr ArenaNodes<Kernel, D, extent> arena;
+  Batch<Kernel, D> batch;
+  for (std::int64_t first = begin; first < end; first += width) {
+    fill_batch<Kernel, D>(points, first, scale, affine, batch);
+    const int active = int(std::min<std::int64_t>(width, end - first));
+    for (int i = 0; i < active; ++i) {
+      const Hats hat = load<Hats>(batch.hat[i]);
+      const bool loaded = !points.loaded.empty() && points.loaded[std::size_t(first + i)] != 0;
+      for (int l = 0; l < Kernel::lattices; ++l) {
+        const int from = batch.base[l][i] - l * arena.count;
+        int node = arena.at[std::size_t(from)], digit[D];  // of the lowest node, in the cell
+        for (int a = D - 1, rest = from, stride = 1; a >= 0; --a, stride *= extent) {
+          node += lowest[l][a] * stride;
+          if constexpr (S > 2) digit[a] = rest % Kernel::arena_extent + lowest[l][a];
+          if constexpr (S > 2) rest /= Kernel::arena_extent;
+        }
+        for (int s = 0; s < nodes; ++s) {
+          if constexpr (S > 2) {
+            // On the rim of its support, where rounding may decide, a node's weight is zero.
+            bool inside = true;
+            for (int a = D - 1, rest = s; a >= 0; --a, rest /= S) {
+              inside = inside && digit[a] + rest % S >= 0 && digit[a] + rest % S < extent;
+            }
+            if (!inside) continue;
+          }
+          const int n = l * Scratch::nodes + node + change_extent<D, S, extent>(s);
+          const double(&gradient)[D][width] = batch.gradient[l][s];
+          for (int a = 0; a < D; ++a) {
+            double* q = scratch.q[n][a];
+            store(q, mul_add(broadcast<Hats>(gradient[a][i]), hat, load<Hats>(q)));
+          }
+          if (!loaded) continue;
+          const auto& moment = points.moments[std::size_t(first + i)];
+          for (int a = 0; a < D; ++a) {
+            for (int b = 0; b < D; ++b) {
+              scratch.load[n][a] += moment[std::size_t(a * D + b)] * gradient[b][i] / cell_size;
+            }
+          }
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
 
-/// Adds alpha V g_i N_j of every particle of a chunk.
+/// Adds what the points of a cell have brought to the groups around it. Nodes outside the block's
+/// arena, which no point of it reaches, may belong to another thread and are left alone.
 template <int D>
-template <class Kernel, bool affine>
+template <class Kernel, int spacing, class Scratch>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
-void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk,
-                                      const Topology<D>& topology) {
-  constexpr int S = Kernel::support, E = Kernel::arena_extent, corners = 1 << D;
-  const Surroundings<Kernel, D> around(chunk, topology, lattice_, reach_);
-  int corner_at[corners];
-  for (int k = 0; k < corners; ++k) {
-    corner_at[k] = 0;
-    for (int a = 0; a < D; ++a) corner_at[k] = corner_at[k] * width_ + (k >> (D - 1 - a) & 1);
-  }
-  for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
-    const FlowPoint<D>& p = points.points[std::size_t(i)];
-    const auto at = Kernel::template at<double, D>(p.local);
-    double inverse[D][D];
-    Slopes<double, D, Kernel::lattices, S> slopes;
-    if constexpr (affine) {
-      inverse_moment<Kernel, D>(at, inverse);
-    } else {
-      slopes = Kernel::template slopes<double, D>(at);
+void VolumeOperator<D>::flush(const PressureNode<D>& cell, const int (&lowest)[Kernel::lattices][D],
+                              const Scratch& scratch) {
+  constexpr int reach = Scratch::reach, extent = Scratch::extent, corners = Scratch::corners;
+  constexpr int hats_axis = reach + 1, own = power(spacing, D);
+  for (int g = 0; g < power(reach, D); ++g) {
+    PressureNode<D> base = cell;
+    int digit[D], hat = 0;
+    for (int a = D - 1, rest = g; a >= 0; --a, rest /= reach) {
+      digit[a] = rest % reach;
+      base[std::size_t(a)] += digit[a] - (reach - 1);
     }
-    double n[corners];
-    scree::hats<D>(p.xi, n);
-    const double scale = p.biot * p.volume / cell_size_;
-    for (double& value : n) value *= scale;
-    for (int l = 0; l < Kernel::lattices; ++l) {
-      int first[D];
-      digits<D, E>(int(at.stencil.base[l]) - l * power(E, D), first);
-      for (int s = 0; s < power(S, D); ++s) {
-        int digit[D];
-        digits<D, S>(s, digit);
-        int arena = 0, hat = 0;
-        bool touches = true;
-        for (int a = 0; a < D; ++a) {
-          arena = arena * E + first[a] + digit[a];
-          const int below = p.cell[std::size_t(a)] - around.base[l][a][first[a] + digit[a]];
-          // On the rim of its support, where rounding may decide, a node's weight is zero.
-          touches = touches && below >= 0 && below + 1 < width_;
-          hat = hat * width_ + below;
+    for (int a = 0; a < D; ++a) hat = hat * hats_axis + (reach - 1 - digit[a]);
+    const std::int32_t group = find_group(base);
+    if (group < 0) continue;
+    for (int s = 0; s < Kernel::lattices * own; ++s) {
+      const int l = s / own;
+      const std::size_t place = std::size_t(group) * std::size_t(slots_) + std::size_t(s);
+      int node = l, rest = s % own, inner[D];
+      for (int a = D - 1; a >= 0; --a, rest /= spacing) inner[a] = rest % spacing;
+      bool reached = record_[place] >= 0;
+      for (int a = 0; a < D; ++a) {
+        const int in_cell = digit[a] * spacing + inner[a];
+        const int in_arena = in_cell - lowest[l][a];
+        reached = reached && in_arena >= 0 && in_arena < Kernel::arena_extent;
+        node = node * extent + in_cell;
+      }
+      if (!reached) continue;
+      double* q = touched(place) + hat;
+      for (int a = 0; a < D; ++a) {
+        const double* from = scratch.q[node][a];
+        for (int k = 0; k < corners; k += 2) {
+          double* to = q + a * stride_ + change_extent<D, 2, hats_axis>(k);
+          to[0] += from[k];
+          to[1] += from[k + 1];
         }
-        const std::int64_t record = around.record[l * power(E, D) + arena];
-        if (!touches || record < 0) continue;
-        double gradient[D];
-        if constexpr (affine) {
-          double weight = 1;
-          for (int a = 0; a < D; ++a) weight *= at.stencil.weight[l][a][digit[a]];
-          for (int a = 0; a < D; ++a) {
-            gradient[a] = 0;
-            for (int b = 0; b < D; ++b)
-              gradient[a] += inverse[a][b] * (at.stencil.offset[l][b] + digit[b]);
-            gradient[a] *= weight;
-          }
-        } else {
-          for (int a = 0; a < D; ++a) {
-            gradient[a] = 1;
-            for (int b = 0; b < D; ++b) {
-              gradient[a] *=
-                  a == b ? slopes.slope[l][b][digit[b]] : at.stencil.weight[l][b][digit[b]];
-            }
-          }
-        }
-        double* q = q_.data() + std::size_t(record) * std::size_t(D * hats_) + hat;
-        for (int a = 0; a < D; ++a) {
-          for (int k = 0; k < corners; ++k) q[a * hats_ + corner_at[k]] += gradient[a] * n[k];
-        }
-        if (!p.loaded) continue;
-        const auto& moment = points.moments[std::size_t(i)];
-        for (int a = 0; a < D; ++a) {
-          double& load = load_[std::size_t(record) * D + std::size_t(a)];
-          for (int b = 0; b < D; ++b) {
-            load += moment[std::size_t(a * D + b)] * gradient[b] / cell_size_;
-          }
+        if (!load_.empty()) {
+          load_[std::size_t(record_[place]) * D + std::size_t(a)] += scratch.load[node][a];
         }
       }
     }
   }
 }
 
+/// Adds alpha V g_i N_j of every point of a chunk.
 template <int D>
-template <class Kernel>
-void VolumeOperator<D>::scatter(const FlowPoints<D>& points, const Topology<D>& topology,
+template <class Kernel, int spacing>
+void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk,
+                                      double biot) {
+  using Scratch = CellScratch<Kernel, D, spacing>;
+  Scratch scratch;
+  for (const FlowRun<D>& run : chunk.runs) {
+    int lowest[Kernel::lattices][D];
+    for (int l = 0; l < Kernel::lattices; ++l) {
+      for (int a = 0; a < D; ++a) {
+        lowest[l][a] = block_cells * chunk.block[std::size_t(a)] + Kernel::first_node(l) -
+                       lowest_node(l) - spacing * (run.cell[std::size_t(a)] - Scratch::reach + 1);
+      }
+    }
+    scratch.clear(!load_.empty());
+    add_points<Kernel, D, spacing>(points, run.begin, run.end, biot / cell_size_, cell_size_,
+                                   transfer_ == TransferType::mls, lowest, scratch);
+    flush<Kernel, spacing>(run.cell, lowest, scratch);
+  }
+}
+
+template <int D>
+template <class Kernel, int spacing>
+void VolumeOperator<D>::scatter(const FlowPoints<D>& points, const std::vector<double>& biot,
                                 ThreadPool& pool) {
-  const bool affine = transfer_ == TransferType::mls;
-  std::int32_t bodies = 0;
-  for (const FlowChunk<D>& chunk : points.chunks) bodies = std::max(bodies, chunk.body + 1);
   // Bodies one after the other, blocks of one colour at a time: each node's sum has one order.
-  for (std::int32_t body = 0; body < bodies; ++body) {
+  for (std::size_t body = 0; body < biot.size(); ++body) {
     for (std::int32_t colour = 0; colour < (1 << D); ++colour) {
       std::vector<const FlowChunk<D>*> together;
       for (const FlowChunk<D>& chunk : points.chunks) {
-        if (chunk.body == body && chunk.colour == colour) together.push_back(&chunk);
+        if (chunk.body == std::int32_t(body) && chunk.colour == colour) together.push_back(&chunk);
       }
       pool.for_each(std::int64_t(together.size()), [&](std::int64_t c, int) {
-        if constexpr (Kernel::has_inverse_moment) {
-          if (affine)
-            return scatter_chunk<Kernel, true>(points, *together[std::size_t(c)], topology);
-        }
-        scatter_chunk<Kernel, false>(points, *together[std::size_t(c)], topology);
+        scatter_chunk<Kernel, spacing>(points, *together[std::size_t(c)], biot[body]);
       });
     }
   }
 }
 
 template <int D>
-void VolumeOperator<D>::assemble(const FlowPoints<D>& points, const Topology<D>& topology,
+void VolumeOperator<D>::assemble(const FlowPoints<D>& points, const std::vector<double>& biot,
                                  ThreadPool& pool) {
-  q_.assign(base_.size() * std::size_t(D * hats_), 0.0);
-  load_.assign(points.moments.empty() ? 0 : base_.size() * D, 0.0);
+  empty_.assign(record_.size(), 1);
+  load_.assign(points.moments.empty() ? 0 : place_.size() * D, 0.0);
   switch (kernel_) {
     case KernelType::compact:
-      return scatter<Compact>(points, topology, pool);
+      if (lattice_.spacing() == 1) return scatter<Compact, 1>(points, biot, pool);
+      return scatter<Compact, 2>(points, biot, pool);
     case KernelType::quadratic:
-      return scatter<Quadratic>(points, topology, pool);
+      return scatter<Quadratic, 2>(points, biot, pool);
     case KernelType::linear:
-      return scatter<Linear>(points, topology, pool);
+      return scatter<Linear, 2>(points, biot, pool);
   }
 }
 

@@ -70,6 +70,10 @@ struct HistoryRow {
   double max_speed = 0;                    ///< m/s
   /// force (N) and torque (N m) on each collider, in the deck's order
   std::vector<std::array<double, 6>> collider_force_torque;
+  /// Work that each collider has done on the particles since t = 0 [J].
+  std::vector<double> collider_work;
+  /// With tractions or body forces: the work that they have done since t = 0 [J].
+  std::optional<double> external_work;
   std::optional<FluidBalance> fluid;  ///< with coupled pore water
 };
 

@@ -14,6 +14,7 @@ void SimulationImpl<D, T>::make_flow() {
   if (backend_->updated_grid().velocities == nullptr) {
     throw UserError("coupling is computed by the processor; use the backend cpu");
   }
+  if (averages()) throw UserError("volumetric_locking does not go with coupling");
   FlowDomain<D> domain;
   domain.kernel = setup_.kernel;
   domain.transfer = setup_.transfer;
@@ -73,58 +74,68 @@ void SimulationImpl<D, T>::note_masses() {
 template <int D, class T>
 std::int64_t SimulationImpl<D, T>::list_flow_chunks(FlowPoints<D>& points,
                                                     std::vector<const FlowBlock*>& blocks) const {
-  points.chunks.clear();
   std::int64_t count = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!flow_->has_water(std::int32_t(b))) continue;
     for (const auto& block : bodies_[b].body->store().blocks()) {
-      FlowChunk<D> chunk;
+      if (points.chunks.size() == blocks.size()) points.chunks.emplace_back();
+      FlowChunk<D>& chunk = points.chunks[blocks.size()];
       chunk.begin = count;
       count += block.count;
       chunk.end = count;
       chunk.block = block_coord<D>(block.key);
       chunk.grid_block = backend_->grid().topology().find(block.key);
       chunk.body = std::int32_t(b);
+      chunk.colour = 0;
       for (int a = 0; a < D; ++a) chunk.colour = 2 * chunk.colour + (chunk.block[a] & 1);
-      points.chunks.push_back(chunk);
       blocks.push_back(&block);
     }
   }
+  points.chunks.resize(blocks.size());
   return count;
 }
 
-/// The particles with water, block by block.
+/// The particles with water, block by block and in a block by pressure cell.
 template <int D, class T>
 void SimulationImpl<D, T>::collect_flow_points() {
-  constexpr int width = ParticleStore<D, T>::width;
   FlowPoints<D>& points = flow_->points();
   std::vector<const FlowBlock*> blocks;
   const std::int64_t count = list_flow_chunks(points, blocks);
-  points.points.resize(std::size_t(count));
-  points.moments.resize(external_ && external_->has_tractions() ? std::size_t(count) : 0);
+  points.resize(count, external_ && external_->has_tractions());
   executor_.pool().for_each(std::int64_t(points.chunks.size()), [&](std::int64_t c, int) {
-    const FlowChunk<D>& chunk = points.chunks[std::size_t(c)];
-    const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
-    for (int i = 0; i < int(chunk.end - chunk.begin); ++i) {
-      const std::int32_t b = blocks[std::size_t(c)]->batches[std::size_t(i / width)];
-      const int lane = i % width;
-      FlowPoint<D>& point = points.points[std::size_t(chunk.begin + i)];
-      point.id = store.ids(b)[lane];
-      double u[D];
-      Mat3<double> increment = zero3<double>();
-      for (int a = 0; a < D; ++a) {
-        point.local[a] = double(store.batch(b)[a * width + lane]);
-        u[a] = point.local[a] + block_cells * chunk.block[a];
-        for (int k = 0; k < D; ++k) {
-          increment(a, k) =
-              double(store.aux_batch(b)[(layout_.increment + a * D + k) * width + lane]);
-        }
-      }
-      point.loaded = !points.moments.empty() && external_->loaded(point.id);
-      flow_->fill(point, chunk.body, u, increment);
-    }
+    collect_chunk(points.chunks[std::size_t(c)], *blocks[std::size_t(c)], points);
   });
   if (!points.moments.empty()) set_moments(points);
+}
+
+template <int D, class T>
+void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& block,
+                                         FlowPoints<D>& points) {
+  constexpr int width = ParticleStore<D, T>::width;
+  const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
+  std::array<std::vector<double>, D> local;
+  for (std::size_t a = 0; a < D; ++a) {
+    local[a].resize(std::size_t(block.count));
+    for (int i = 0; i < block.count; ++i) {
+      const T* batch = store.batch(block.batches[std::size_t(i / width)]);
+      local[a][std::size_t(i)] = double(batch[int(a) * width + i % width]);
+    }
+  }
+  std::vector<std::int32_t> rank;
+  arrange<D>(chunk, flow_->lattice(), local, points, rank);
+  for (int i = 0; i < block.count; ++i) {
+    const std::int32_t b = block.batches[std::size_t(i / width)];
+    const int lane = i % width;
+    const T* aux = store.aux_batch(b) + layout_.increment * width + lane;
+    Mat3<double> increment = zero3<double>();
+    for (int a = 0; a < D; ++a) {
+      for (int k = 0; k < D; ++k) increment(a, k) = double(aux[(a * D + k) * width]);
+    }
+    const std::int64_t point = chunk.begin + rank[std::size_t(i)];
+    const std::int64_t id = points.id[std::size_t(point)] = store.ids(b)[lane];
+    if (!points.loaded.empty()) points.loaded[std::size_t(point)] = external_->loaded(id) ? 1 : 0;
+    flow_->fill(point, chunk.body, increment);
+  }
 }
 
 /// A traction acts on its face, not on the particle: beside the force that the particle scatters,
@@ -133,14 +144,15 @@ template <int D, class T>
 void SimulationImpl<D, T>::set_moments(FlowPoints<D>& points) const {
   for (const FlowChunk<D>& chunk : points.chunks) {
     for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
-      const FlowPoint<D>& point = points.points[std::size_t(i)];
-      if (!point.loaded) continue;
+      if (points.loaded[std::size_t(i)] == 0) continue;
+      const std::int64_t id = points.id[std::size_t(i)];
       std::array<double, 3> x{};
       for (std::size_t a = 0; a < D; ++a) {
-        x[a] = setup_.lower[a] + setup_.cell_size * (block_cells * chunk.block[a] + point.local[a]);
+        x[a] = setup_.lower[a] +
+               setup_.cell_size * (block_cells * chunk.block[a] + points.local[a][std::size_t(i)]);
       }
-      const Mat3<double> m = external_->moment(point.id, &reference_[3 * std::size_t(point.id)],
-                                               x.data(), clock_.time, flow_->half_side(chunk.body));
+      const Mat3<double> m = external_->moment(id, &reference_[3 * std::size_t(id)], x.data(),
+                                               clock_.time, flow_->half_side(chunk.body));
       auto& moment = points.moments[std::size_t(i)];
       for (int k = 0; k < D * D; ++k) moment[std::size_t(k)] = m(k / D, k % D);
     }

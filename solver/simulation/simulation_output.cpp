@@ -104,6 +104,8 @@ HistoryRow SimulationImpl<D, T>::history() const {
     row.collider_force_torque.push_back(
         {r.force[0], r.force[1], r.force[2], r.torque[0], r.torque[1], r.torque[2]});
   }
+  row.collider_work = collider_work_;
+  if (external_) row.external_work = external_work(external_power());
   return row;
 }
 
@@ -125,7 +127,13 @@ PhaseTimes SimulationImpl<D, T>::phases() const {
                    {"particles", at(Phase::particles)}};
   if (!fused_) times.emplace_back("stress", at(Phase::stress));
   if (external_) times.emplace_back("external_forces", at(Phase::external));
-  if (flow_) times.emplace_back("pore_pressure", at(Phase::pressure));
+  if (!flow_) return times;
+  double rest = at(Phase::pressure);
+  for (const auto& [name, seconds] : flow_->times()) {
+    times.emplace_back(name, seconds);
+    rest -= seconds;
+  }
+  times.emplace_back("pore_transfer", rest);
   return times;
 }
 

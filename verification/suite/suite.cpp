@@ -185,13 +185,16 @@ std::string missing_law(const PlannedCase& planned) {
   return {};
 }
 
-bool is_coupled(const PlannedCase& planned) {
+std::string processor_only(const PlannedCase& planned) {
   for (const RunPlan& plan : planned.sweep.runs) {
     Problems ignored;
-    if (deck_of(planned.document, plan.parameters, ignored).find("coupling") != nullptr)
-      return true;
+    const Value deck = deck_of(planned.document, plan.parameters, ignored);
+    if (deck.find("coupling") != nullptr) return "coupling";
+    const Value* const method = deck.find("method");
+    const Value* const locking = method == nullptr ? nullptr : method->find("volumetric_locking");
+    if (locking != nullptr && locking->text == "fbar") return "volumetric_locking";
   }
-  return false;
+  return {};
 }
 
 std::vector<CaseResult> run_cases(const std::vector<PlannedCase>& cases, int threads,

@@ -25,8 +25,8 @@ PlannedCase plan_case(const CaseCode& code, bool full);
 /// The name of a material law that the case needs and this build lacks (SCREE_MATERIALS), or "".
 std::string missing_law(const PlannedCase& planned);
 
-/// Whether a run of the case has water that flows, which only the processor computes.
-bool is_coupled(const PlannedCase& planned);
+/// What in a run of the case only the processor computes, or "".
+std::string processor_only(const PlannedCase& planned);
 
 /// Called when a case is finished, from one thread at a time; `done` and `all` count runs.
 using CaseDone = std::function<void(const CaseResult& result, int done, int all)>;

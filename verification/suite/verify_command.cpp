@@ -48,10 +48,10 @@ std::vector<PlannedCase> chosen_cases(const VerifyOptions& options, bool on_devi
     return !law.empty();
   });
   std::erase_if(cases, [&](const PlannedCase& planned) {
-    const bool out = on_device && is_coupled(planned);
-    if (out)
-      fmt::print("{}: left out, for coupling is computed by the processor\n", planned.code->name);
-    return out;
+    const std::string reason = on_device ? processor_only(planned) : "";
+    if (!reason.empty())
+      fmt::print("{}: left out, for {} is computed by the processor\n", planned.code->name, reason);
+    return !reason.empty();
   });
   if (cases.empty()) return cases;
   // A case may have runs in the full variant only.
