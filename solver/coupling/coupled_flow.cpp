@@ -45,6 +45,7 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       solver_(preconditioner(setup_, D), setup_.tolerance, setup_.solver_options),
       point_of_(std::size_t(particles), -1),
       nodal_(std::size_t(lattice_.size()), 0.0),
+      earlier_(std::size_t(lattice_.size()), 0.0),
       state_(std::size_t(particles), PoreState<D>{}),
       outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
@@ -212,7 +213,9 @@ void CoupledFlow<D>::solve_system(const FlowStep<D>& step) {
   iterations_ = 0;
   if (matrix_.rows() == 0) return;
   for (std::size_t r = 0; r < solution_.size(); ++r) {
-    solution_[r] = nodal_[std::size_t(matrix_.nodes()[r])];
+    // As if the pressure went on as in the last step; nodes that had none begin with zero.
+    const std::size_t node = std::size_t(matrix_.nodes()[r]);
+    solution_[r] = earlier_[node] == 0 ? nodal_[node] : 2 * nodal_[node] - earlier_[node];
   }
   const SolveReport report = solver_.solve(matrix_.values(), matrix_.rhs(), solution_);
   iterations_ = report.iterations;
@@ -224,7 +227,9 @@ void CoupledFlow<D>::solve_system(const FlowStep<D>& step) {
         step.end, report.iterations, report.residual, report.reason));
   }
   for (std::size_t r = 0; r < solution_.size(); ++r) {
-    nodal_[std::size_t(matrix_.nodes()[r])] = solution_[r];
+    const std::size_t node = std::size_t(matrix_.nodes()[r]);
+    earlier_[node] = nodal_[node];
+    nodal_[node] = solution_[r];
   }
 }
 
