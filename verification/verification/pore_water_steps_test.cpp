@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "solver/base/error.hpp"
 #include "verification/cases/strip_load/exact.hpp"
@@ -136,6 +138,25 @@ TEST(PoreWaterSteps, UniformPressureBetweenWallsIsAtRest) {
       EXPECT_NEAR(p / pressure, 1, 1e-11) << spacing;  // tolerance times a condition of 1e2
     }
     EXPECT_LT(simulation->history().max_speed, 1e-11) << spacing;
+  }
+}
+
+/// A pressure that is not solved is never used.
+TEST(PoreWaterSteps, SolveThatDoesNotConvergeEndsTheRun) {
+  SoilColumn column = short_column(1, 0.01);
+  column.coupling.preconditioner = "jacobi";
+  column.coupling.tolerance = 1e-40;  // below rounding
+  const auto simulation = Simulation::create(column_setup(column));
+  try {
+    simulation->step();
+    ADD_FAILURE() << "no fault";
+  } catch (const RunFault& fault) {
+    const std::string text = fault.what();
+    for (const char* part :
+         {"pore pressure at t = ", "the solver stopped after ",
+          "iterations with a relative residual of ", "coupling.preconditioner"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
   }
 }
 
