@@ -45,6 +45,7 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       solver_(preconditioner(setup_, D), setup_.tolerance, setup_.solver_options),
       point_of_(std::size_t(particles), -1),
       nodal_(std::size_t(lattice_.size()), 0.0),
+      earlier_(std::size_t(lattice_.size()), 0.0),
       state_(std::size_t(particles), PoreState<D>{}),
       outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
@@ -212,7 +213,9 @@ void CoupledFlow<D>::solve_system(const FlowStep<D>& step) {
   iterations_ = 0;
   if (matrix_.rows() == 0) return;
   for (std::size_t r = 0; r < solution_.size(); ++r) {
-    solution_[r] = nodal_[std::size_t(matrix_.nodes()[r])];
+    // As if the pressure went on as in the last step; nodes that had none begin with zero.
+    const std::size_t node = std::size_t(matrix_.nodes()[r]);
+    solution_[r] = earlier_[node] == 0 ? nodal_[node] : 2 * nodal_[node] - earlier_[node];
   }
   const SolveReport report = solver_.solve(matrix_.values(), matrix_.rhs(), solution_);
   iterations_ = report.iterations;
@@ -224,7 +227,9 @@ void CoupledFlow<D>::solve_system(const FlowStep<D>& step) {
         step.end, report.iterations, report.residual, report.reason));
   }
   for (std::size_t r = 0; r < solution_.size(); ++r) {
-    nodal_[std::size_t(matrix_.nodes()[r])] = solution_[r];
+    const std::size_t node = std::size_t(matrix_.nodes()[r]);
+    earlier_[node] = nodal_[node];
+    nodal_[node] = solution_[r];
   }
 }
 
@@ -249,9 +254,10 @@ void CoupledFlow<D>::push(const FlowStep<D>& step, const std::vector<double>& fo
     const Vec3<double> impulse = push_group(step, group, force, velocity);
     if (group.collider < 0) continue;
     Vec3<double> arm{};
-    const Vec3<double> centre = (*step.colliders)[std::size_t(group.collider)].reference_point();
-    const std::array<double, 3> x = position(group.root, topology);
-    for (int a = 0; a < 3; ++a) arm[a] = x[std::size_t(a)] - centre[a];
+    const Collider& collider = (*step.colliders)[std::size_t(group.collider)];
+    const Vec3<double> centre = collider.reference_point();
+    const Vec3<double> place = collider.unwrapped(position(group.root, topology).data());
+    for (int a = 0; a < 3; ++a) arm[a] = place[a] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);
     Reaction& reaction = reactions_[std::size_t(group.collider)];
     for (int a = 0; a < 3; ++a) {

@@ -53,6 +53,15 @@ struct PoreState {
   double seepage[D];          ///< [m/s]
 };
 
+/// What the last step did to a vector of particles of one body.
+template <int D>
+struct FlowIncrements {
+  static constexpr int width = lanes_of<Lanes<double>>;
+  alignas(64) double value[D * D][width];  ///< dt grad v
+  std::int64_t point[width];               ///< place in FlowPoints
+  int count = 0;                           ///< the others are padding, which holds any numbers
+};
+
 /// What a step gives to the pressure solve.
 template <int D>
 struct FlowStep {
@@ -91,9 +100,14 @@ class CoupledFlow {
   NodeConstraints<D>& constraints() { return constraints_; }
   FlowPoints<D>& points() { return points_; }
   const PressureLattice<D>& lattice() const { return lattice_; }
-  /// Sets half, volume, capacity, mobility and content of a point whose id is set; increment: dt
-  /// grad v of the last step. Once a step a particle; any thread.
-  void fill(std::int64_t point, std::int32_t body, const Mat3<double>& increment);
+  /// Sets half, volume, capacity, mobility and content of points whose id is set. Once a step a
+  /// particle; any thread.
+  void fill(const FlowIncrements<D>& increments, std::int32_t body);
+  /// Fetches what fill() needs of a particle from memory.
+  void prefetch(std::int64_t id) const {
+    __builtin_prefetch(&state_[std::size_t(id)], 1);
+    __builtin_prefetch(reinterpret_cast<const char*>(&state_[std::size_t(id)]) + 64, 1);
+  }
   /// Solves for the pressure. velocity: D entries a node, of v*; becomes v. Throws RunFault where
   /// the solver does not converge.
   void solve(const FlowStep<D>& step, std::vector<double>& velocity, const Topology<D>& topology,
@@ -167,6 +181,7 @@ class CoupledFlow {
   std::int64_t present_ = -1;           ///< number of points of the last step, -1: not known
   std::vector<double> solution_;        ///< by row
   std::vector<double> nodal_;           ///< by lattice node: the last pressures, to start from
+  std::vector<double> earlier_;         ///< those of the step before
   std::vector<double> force_;
   std::vector<Reaction> reactions_;
   std::vector<double> half_side_;      ///< of each body's boxes at t = 0 [m]

@@ -6,6 +6,25 @@
 #include "solver/coupling/coupled_flow.hpp"
 
 namespace scree {
+namespace {
+
+using Wide = Lanes<double>;
+
+Wide determinant(const Wide (&f)[2][2]) { return f[0][0] * f[1][1] - f[0][1] * f[1][0]; }
+
+Wide determinant(const Wide (&f)[3][3]) {
+  return f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1]) -
+         f[0][1] * (f[1][0] * f[2][2] - f[1][2] * f[2][0]) +
+         f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+}
+
+Wide load_any(const double* p) {
+  Wide v;
+  __builtin_memcpy(&v, p, sizeof(v));
+  return v;
+}
+
+}  // namespace
 
 template <int D>
 Mat3<double> CoupledFlow<D>::deformation(std::int64_t id) const {
@@ -17,34 +36,68 @@ Mat3<double> CoupledFlow<D>::deformation(std::int64_t id) const {
 }
 
 template <int D>
-void CoupledFlow<D>::fill(std::int64_t point, std::int32_t body, const Mat3<double>& increment) {
-  const std::size_t i = std::size_t(point);
-  const std::int64_t id = points_.id[i];
+// NOLINTNEXTLINE(readability-function-size): a kernel's body
+void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body) {
+  constexpr int width = FlowIncrements<D>::width;
   const FlowBody& flow = bodies_[std::size_t(body)];
   const PoreSetup& pores = *flow.pores;
-  PoreState<D>& state = state_[std::size_t(id)];
-  Mat3<double> f = identity3<double>() + increment;
-  const double before = state.ratio;
-  state.ratio = before * det(f);
-  const double linear = before * (1 + increment(0, 0) + increment(1, 1) + increment(2, 2));
-  const Mat3<double> total = f * deformation(id);
-  const double half = half_side_[std::size_t(body)] / h_;
-  for (int a = 0; a < D; ++a) {
-    double square = 0;
-    for (int b = 0; b < D; ++b) {
-      square += total(a, b) * total(a, b);
-      state.deformation[a * D + b] = total(a, b);
-    }
-    points_.half[std::size_t(a)][i] = half * std::min(std::sqrt(square), longest_box);
+  alignas(64) double old[D * D + 3][width] = {};
+  for (int i = 0; i < width; ++i) {
+    // Padding repeats the first.
+    const std::int64_t point = increments.point[i < increments.count ? i : 0];
+    const PoreState<D>& state = state_[std::size_t(points_.id[std::size_t(point)])];
+    for (int k = 0; k < D * D; ++k) old[k][i] = state.deformation[k];
+    old[D * D][i] = state.ratio;
+    old[D * D + 1][i] = state.start_ratio;
+    old[D * D + 2][i] = state.pressure;
   }
-  const double porosity = porosity_at(pores, state.ratio / state.start_ratio);
-  const double volume = flow.particle_volume * state.ratio;
-  const double capacity = volume * storage_at(pores, porosity);
-  points_.volume[i] = volume;
-  points_.capacity[i] = capacity;
-  points_.mobility[i] = mobility_at(pores, porosity);
-  points_.content[i] =
-      capacity * state.pressure - pores.biot * flow.particle_volume * (state.ratio - linear);
+  Wide c[D][D], f[D][D], trace = broadcast<Wide>(0.0);
+  for (int a = 0; a < D; ++a) {
+    for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(increments.value[a * D + b]);
+    trace = trace + c[a][a];
+  }
+  alignas(64) double now[D * D + 1][width], half[D][width], volume[width], capacity[width],
+      mobility[width], content[width];
+  const double side = half_side_[std::size_t(body)] / h_;
+  for (int a = 0; a < D; ++a) {
+    Wide square = broadcast<Wide>(0.0);
+    for (int b = 0; b < D; ++b) {
+      Wide sum = scree::load<Wide>(old[a * D + b]);
+      for (int k = 0; k < D; ++k) sum = mul_add(c[a][k], scree::load<Wide>(old[k * D + b]), sum);
+      store(now[a * D + b], sum);
+      square = mul_add(sum, sum, square);
+      f[a][b] = a == b ? c[a][b] + 1.0 : c[a][b];
+    }
+    store(half[a], side * min(sqrt(square), longest_box));
+  }
+  const Wide before = scree::load<Wide>(old[D * D]), start = scree::load<Wide>(old[D * D + 1]);
+  const Wide ratio = before * determinant(f);
+  const Wide porosity = 1.0 - ((1 - pores.porosity) * start) / ratio;
+  const Wide storage =
+      porosity * (1 / pores.fluid_modulus) + (pores.biot - porosity) * pores.grain_compliance;
+  const Wide space = ratio * flow.particle_volume, room = space * storage;
+  const Wide defect = (ratio - before * (trace + 1.0)) * (pores.biot * flow.particle_volume);
+  Wide k = broadcast<Wide>(pores.mobility);
+  if (pores.kozeny_carman) {
+    const Wide r = porosity / pores.porosity, s = (1 - pores.porosity) / (1.0 - porosity);
+    k = k * (r * r * r * s * s);
+  }
+  store(now[D * D], ratio);
+  store(volume, space);
+  store(capacity, room);
+  store(mobility, k);
+  store(content, room * scree::load<Wide>(old[D * D + 2]) - defect);
+  for (int i = 0; i < increments.count; ++i) {
+    const std::size_t p = std::size_t(increments.point[i]);
+    PoreState<D>& state = state_[std::size_t(points_.id[p])];
+    for (int n = 0; n < D * D; ++n) state.deformation[n] = now[n][i];
+    state.ratio = now[D * D][i];
+    for (std::size_t a = 0; a < D; ++a) points_.half[a][p] = half[a][i];
+    points_.volume[p] = volume[i];
+    points_.capacity[p] = capacity[i];
+    points_.mobility[p] = mobility[i];
+    points_.content[p] = content[i];
+  }
 }
 
 /// Water of particles that have gone since the last step counts as outflow.
@@ -101,21 +154,38 @@ void CoupledFlow<D>::gather_run(const FlowRun<D>& run, std::int32_t body,
   for (int k = 0; k < corners; ++k) {
     nodal[k] = solution_[std::size_t(matrix_.row(corner<D>(run.cell, k)))];
   }
-  for (std::size_t i = std::size_t(run.begin); i < std::size_t(run.end); ++i) {
-    double xi[D], n[corners], slope[corners][D], value = 0, gradient[D] = {};
-    for (std::size_t a = 0; a < D; ++a) xi[a] = points_.xi[a][i];
-    hats<D>(xi, n);
-    hat_slopes<D>(xi, slope);
-    for (int k = 0; k < corners; ++k) {
-      value += n[k] * nodal[k];
-      for (int a = 0; a < D; ++a) gradient[a] += slope[k][a] * nodal[k];
+  constexpr int width = lanes_of<Wide>;
+  for (std::int64_t first = run.begin; first < run.end; first += width) {
+    Wide hat[D][2], value = broadcast<Wide>(0.0), gradient[D];
+    for (std::size_t a = 0; a < D; ++a) {
+      hat[a][1] = load_any(points_.xi[a].data() + first);
+      hat[a][0] = 1.0 - hat[a][1];
+      gradient[a] = broadcast<Wide>(0.0);
     }
-    PoreState<D>& state = state_[std::size_t(points_.id[i])];
-    state.stored += points_.capacity[i] * (value - state.pressure);
-    state.pressure = value;
+    for (int k = 0; k < corners; ++k) {
+      Wide n = broadcast<Wide>(nodal[k]);
+      for (int a = 0; a < D; ++a) {
+        Wide slope = broadcast<Wide>((k >> (D - 1 - a) & 1) != 0 ? nodal[k] : -nodal[k]);
+        for (int b = 0; b < D; ++b) {
+          if (b != a) slope = slope * hat[b][k >> (D - 1 - b) & 1];
+        }
+        gradient[a] = gradient[a] + slope;
+        n = n * hat[a][k >> (D - 1 - a) & 1];
+      }
+      value = value + n;
+    }
+    alignas(64) double pressure[width], seepage[D][width];
+    store(pressure, value);
+    const Wide mobility = load_any(points_.mobility.data() + first);
     for (int a = 0; a < D; ++a) {
-      state.seepage[a] =
-          -points_.mobility[i] * (gradient[a] / h_ - density * gravity[std::size_t(a)]);
+      store(seepage[a], -mobility * (gradient[a] * (1 / h_) - density * gravity[std::size_t(a)]));
+    }
+    for (int i = 0; i < int(std::min<std::int64_t>(width, run.end - first)); ++i) {
+      const std::size_t p = std::size_t(first + i);
+      PoreState<D>& state = state_[std::size_t(points_.id[p])];
+      state.stored += points_.capacity[p] * (pressure[i] - state.pressure);
+      state.pressure = pressure[i];
+      for (int a = 0; a < D; ++a) state.seepage[a] = seepage[a][i];
     }
   }
 }

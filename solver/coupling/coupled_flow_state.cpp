@@ -75,7 +75,7 @@ GridSnapshot CoupledFlow<D>::grid() const {
 
 template <int D>
 std::int64_t CoupledFlow<D>::bytes() const {
-  const std::size_t numbers = solution_.capacity() + nodal_.capacity() + force_.capacity();
+  const std::size_t numbers = solution_.capacity() + 2 * nodal_.capacity() + force_.capacity();
   return std::int64_t(8 * numbers + 4 * point_of_.capacity() +
                       sizeof(PoreState<D>) * state_.capacity()) +
          points_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes();
@@ -120,14 +120,16 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
   writer.put("coupling/present", alive);
   // The solver starts from these, so they belong to the state.
   std::vector<std::int64_t> nodes;
-  std::vector<double> values;
+  std::vector<double> values, earlier;
   for (std::size_t n = 0; n < nodal_.size(); ++n) {
-    if (nodal_[n] == 0) continue;
+    if (nodal_[n] == 0 && earlier_[n] == 0) continue;
     nodes.push_back(std::int64_t(n));
     values.push_back(nodal_[n]);
+    earlier.push_back(earlier_[n]);
   }
   writer.put("coupling/nodes", nodes);
   writer.put("coupling/nodal_pressure", values);
+  writer.put("coupling/earlier_pressure", earlier);
 }
 
 template <int D>
@@ -154,12 +156,17 @@ void CoupledFlow<D>::load(const StateReader& reader) {
   iterations_ = int(water.at(2));
   const auto nodes = reader.get<std::int64_t>("coupling/nodes");
   const auto values = reader.get<double>("coupling/nodal_pressure");
+  const auto earlier = reader.get<double>("coupling/earlier_pressure");
   if (!fits || point_of_.size() != state_.size() || outflow_.size() != surfaces ||
-      nodes.size() != values.size()) {
+      nodes.size() != values.size() || nodes.size() != earlier.size()) {
     throw RunFault("the checkpoint's pore water does not match this deck");
   }
   nodal_.assign(nodal_.size(), 0.0);
-  for (std::size_t n = 0; n < nodes.size(); ++n) nodal_.at(std::size_t(nodes[n])) = values[n];
+  earlier_.assign(earlier_.size(), 0.0);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    nodal_.at(std::size_t(nodes[n])) = values[n];
+    earlier_.at(std::size_t(nodes[n])) = earlier[n];
+  }
 }
 
 template class CoupledFlow<2>;

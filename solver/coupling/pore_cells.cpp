@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace scree {
 namespace {
@@ -141,9 +142,22 @@ void PoreCells<D>::assemble(const FlowPoints<D>& points, double dt, double h,
 }
 
 template <int D>
+auto PoreCells<D>::surroundings(const PressureNode<D>& home) const -> Surroundings {
+  Surroundings around;
+  around.home = home;
+  for (int n = 0; n < power(3, D); ++n) {
+    PressureNode<D> cell = home;
+    for (int a = D - 1, rest = n; a >= 0; --a, rest /= 3) cell[std::size_t(a)] += rest % 3 - 1;
+    around.number[n] = number_[std::size_t(lattice_.index(cell))];
+  }
+  return around;
+}
+
+template <int D>
 void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, double dt, double h,
                            const Weight& weight) {
-  Cell& cell = cells_[std::size_t(number_[std::size_t(lattice_.index(run.cell))])];
+  const Surroundings around = surroundings(run.cell);
+  Cell& cell = cells_[std::size_t(around.number[power(3, D) / 2])];
   const double per_dt = 1 / dt;
   for (std::size_t i = std::size_t(run.begin); i < std::size_t(run.end); ++i) {
     alignas(32) double e[D][4];
@@ -169,15 +183,14 @@ void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, d
     hats<D>(xi, n);
     const double content = points.content[i] * per_dt;
     for (int k = 0; k < corners; ++k) cell.source[k] += content * n[k];
-    add_flow(points, i, run.cell, h, weight, cell);
+    add_flow(points, i, around, h, weight);
   }
 }
 
 /// The parts of a particle's box, each in its cell.
 template <int D>
 void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
-                            const PressureNode<D>& home, double h, const Weight& weight,
-                            Cell& own) {
+                            const Surroundings& around, double h, const Weight& weight) {
   Slice slices[D][4];
   int count[D], parts = 1;
   double pull[D];
@@ -187,24 +200,36 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
     parts *= count[a];
     pull[a] = conductance * weight[a];
   }
-  for (int number = 0; number < parts; ++number) {
+  int at[D] = {};
+  for (int part_number = 0; part_number < parts; ++part_number) {
     const Slice* s[D];
     Slice extended[D];
-    PressureNode<D> lower = home;
-    for (int a = D - 1, rest = number; a >= 0; rest /= count[a], --a) {
-      s[a] = &slices[a][rest % count[a]];
-      lower[std::size_t(a)] += s[a]->shift;
+    int near = 0;
+    bool beside = true;
+    for (int a = 0; a < D; ++a) {
+      s[a] = &slices[a][at[a]];
+      near = 3 * near + s[a]->shift + 1;
+      beside = beside && std::abs(s[a]->shift) <= 1;
     }
-    Cell* cell = &own;
-    if (lower != home) {
-      const std::int32_t other = number_[std::size_t(lattice_.index(lower))];
-      if (other >= 0) cell = &cells_[std::size_t(other)];
-      for (std::size_t a = 0; a < D && other < 0; ++a) {
+    for (int a = D - 1; a >= 0; --a) {  // counts up
+      if (++at[a] < count[a]) break;
+      at[a] = 0;
+    }
+    std::int32_t number = beside ? around.number[near] : -1;
+    if (!beside) {
+      PressureNode<D> lower = around.home;
+      for (std::size_t a = 0; a < D; ++a) lower[a] += s[a]->shift;
+      number = number_[std::size_t(lattice_.index(lower))];
+    }
+    if (number < 0) {  // no particle there
+      number = around.number[power(3, D) / 2];
+      for (std::size_t a = 0; a < D; ++a) {
         const double b = s[a]->shift, xi = points.xi[a][point], half = points.half[a][point];
         extended[a] = part(0, std::max(xi - half, b), std::min(xi + half, b + 1), 0.5 / half);
         s[a] = &extended[a];
       }
     }
+    Cell* cell = &cells_[std::size_t(number)];
     add_part<D, lines>(s, conductance / h, cell->flow);
     add_weight<D>(s, pull, cell->source);
   }

@@ -55,10 +55,17 @@ class PoreCells {
     PressureNode<D> lower{};
   };
 
+  /// A pressure cell and those around it, last axis fastest; -1: no particle.
+  struct Surroundings {
+    PressureNode<D> home;
+    std::int32_t number[power(3, D)];
+  };
+
+  Surroundings surroundings(const PressureNode<D>& home) const;
   void add_run(const FlowPoints<D>& points, const FlowRun<D>& run, double dt, double h,
                const Weight& weight);
-  void add_flow(const FlowPoints<D>& points, std::size_t point, const PressureNode<D>& home,
-                double h, const Weight& weight, Cell& own);
+  void add_flow(const FlowPoints<D>& points, std::size_t point, const Surroundings& around,
+                double h, const Weight& weight);
 
   PressureLattice<D> lattice_;
   AlignedVector<Cell> cells_;

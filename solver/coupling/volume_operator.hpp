@@ -92,8 +92,7 @@ class VolumeOperator {
   template <class Kernel, int spacing>
   void scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk, double biot);
   template <class Kernel, int spacing, class Scratch>
-  void flush(const PressureNode<D>& cell, const int (&lowest)[Kernel::lattices][D],
-             const Scratch& scratch);
+  void flush(const PressureNode<D>& cell, Scratch& scratch);
 
   // volume_products.cpp
   template <int N>

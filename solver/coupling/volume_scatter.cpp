@@ -15,7 +15,8 @@ namespace {
 using Wide = Lanes<double>;
 constexpr int width = lanes_of<Wide>;
 
-/// The nodes that the points of one pressure cell touch, and what comes together at them.
+/// The nodes that the points of one pressure cell touch, and what comes together at them. Zero but
+/// between the points and flush().
 template <class Kernel, int D, int spacing>
 struct CellScratch {
   static constexpr int reach = spacing == 1 ? 3 : 2;  ///< groups an axis
@@ -23,13 +24,11 @@ struct CellScratch {
   static constexpr int nodes = power(extent, D);
   static constexpr int corners = 1 << D;
 
-  alignas(64) double q[Kernel::lattices * nodes][D][corners];
-  double load[Kernel::lattices * nodes][D];
+  alignas(64) double q[Kernel::lattices * nodes][D][corners] = {};
+  double load[Kernel::lattices * nodes][D] = {};
 
-  void clear(bool loads) {
-    std::fill(&q[0][0][0], &q[0][0][0] + sizeof(q) / sizeof(double), 0.0);
-    if (loads) std::fill(&load[0][0], &load[0][0] + sizeof(load) / sizeof(double), 0.0);
-  }
+  /// Nodes that the points of the run touch, axis by axis, the last one included.
+  std::int8_t lower[Kernel::lattices][D], upper[Kernel::lattices][D];
 };
 
 /// Digits of n in a number system of `extent`, last axis fastest, read in one of `other`.
@@ -54,6 +53,19 @@ struct ArenaNodes {
   }
 };
 
+/// Numbers of the nodes of a particle in a cell, from the lowest one.
+template <int D, int S, int extent>
+struct StencilNodes {
+  std::array<std::int16_t, std::size_t(power(S, D))> at{};
+  constexpr StencilNodes() {
+    for (int s = 0; s < power(S, D); ++s) {
+      at[std::size_t(s)] = std::int16_t(change_extent<D, S, extent>(s));
+    }
+  }
+};
+
+typedef double Pair __attribute__((vector_size(16), aligned(8), may_alias));
+
 Wide load_any(const double* p) {
   Wide v;
   __builtin_memcpy(&v, p, sizeof(v));
@@ -66,7 +78,7 @@ struct Batch {
   static constexpr int nodes = power(Kernel::support, D), corners = 1 << D;
   alignas(64) double gradient[Kernel::lattices][nodes][D][width];
   alignas(64) double hat[width][corners];
-  int base[Kernel::lattices][width];  ///< arena node, lattice by lattice
+  alignas(64) std::int64_t base[Kernel::lattices][width];  ///< arena node, lattice by lattice
 };
 
 /// Gradients of mls: w D^-1 (x_i - x_p).
@@ -131,13 +143,44 @@ void fill_batch(const FlowPoints<D>& points, std::int64_t first, double scale, b
     weight_gradients<Kernel, D>(at, batch);
   }
   for (int l = 0; l < Kernel::lattices; ++l) {
-    for (int i = 0; i < width; ++i) batch.base[l][i] = int(lane(at.stencil.base[l], i));
+    store(batch.base[l], at.stencil.base[l]);
   }
   const Wide pull = load_any(points.volume.data() + first) * scale;
+  alignas(64) double hats[1 << D][width];
   for (int k = 0; k < (1 << D); ++k) {
     Wide n = pull;
     for (int a = 0; a < D; ++a) n = n * ((k >> (D - 1 - a) & 1) != 0 ? xi[a] : 1.0 - xi[a]);
-    for (int i = 0; i < width; ++i) batch.hat[i][k] = lane(n, i);
+    store(hats[k], n);
+  }
+  for (int i = 0; i < width; ++i) {
+    for (int k = 0; k < (1 << D); ++k) batch.hat[i][k] = hats[k][i];
+  }
+}
+
+/// Sets the nodes that points within a box touch, from the nodes of its two ends.
+template <class Kernel, int D, int spacing>
+void set_range(const FlowPoints<D>& points, const FlowRun<D>& run,
+               const int (&lowest)[Kernel::lattices][D], CellScratch<Kernel, D, spacing>& scratch) {
+  constexpr int last = CellScratch<Kernel, D, spacing>::extent - 1;
+  double lower[D], upper[D];
+  for (std::size_t a = 0; a < D; ++a) {
+    const double* u = points.local[a].data();
+    lower[a] = *std::min_element(u + run.begin, u + run.end);
+    upper[a] = *std::max_element(u + run.begin, u + run.end);
+  }
+  const auto low = Kernel::template at<double, D>(lower);
+  const auto high = Kernel::template at<double, D>(upper);
+  for (int l = 0; l < Kernel::lattices; ++l) {
+    int from = int(low.stencil.base[l]) - l * power(Kernel::arena_extent, D);
+    int to = int(high.stencil.base[l]) - l * power(Kernel::arena_extent, D);
+    for (int a = D - 1; a >= 0; --a) {
+      const int begin = from % Kernel::arena_extent + lowest[l][a];
+      const int end = to % Kernel::arena_extent + Kernel::support - 1 + lowest[l][a];
+      scratch.lower[l][a] = std::int8_t(std::max(begin, 0));
+      scratch.upper[l][a] = std::int8_t(std::min(end, last));
+      from /= Kernel::arena_extent;
+      to /= Kernel::arena_extent;
+    }
   }
 }
 
@@ -152,6 +195,7 @@ void add_points(const FlowPoints<D>& points, std::int64_t begin, std::int64_t en
   using Hats = Pack<double, Scratch::corners>;
   constexpr int S = Kernel::support, nodes = power(S, D), extent = Scratch::extent;
   static constexpr ArenaNodes<Kernel, D, extent> arena;
+  static constexpr StencilNodes<D, S, extent> stencil;
   Batch<Kernel, D> batch;
   for (std::int64_t first = begin; first < end; first += width) {
     fill_batch<Kernel, D>(points, first, scale, affine, batch);
@@ -160,7 +204,7 @@ void add_points(const FlowPoints<D>& points, std::int64_t begin, std::int64_t en
       const Hats hat = load<Hats>(batch.hat[i]);
       const bool loaded = !points.loaded.empty() && points.loaded[std::size_t(first + i)] != 0;
       for (int l = 0; l < Kernel::lattices; ++l) {
-        const int from = batch.base[l][i] - l * arena.count;
+        const int from = int(batch.base[l][i]) - l * arena.count;
         int node = arena.at[std::size_t(from)], digit[D];  // of the lowest node, in the cell
         for (int a = D - 1, rest = from, stride = 1; a >= 0; --a, stride *= extent) {
           node += lowest[l][a] * stride;
@@ -176,7 +220,7 @@ void add_points(const FlowPoints<D>& points, std::int64_t begin, std::int64_t en
             }
             if (!inside) continue;
           }
-          const int n = l * Scratch::nodes + node + change_extent<D, S, extent>(s);
+          const int n = l * Scratch::nodes + node + stencil.at[std::size_t(s)];
           const double(&gradient)[D][width] = batch.gradient[l][s];
           for (int a = 0; a < D; ++a) {
             double* q = scratch.q[n][a];
@@ -197,49 +241,55 @@ void add_points(const FlowPoints<D>& points, std::int64_t begin, std::int64_t en
 
 }  // namespace
 
-/// Adds what the points of a cell have brought to the groups around it. Nodes outside the block's
-/// arena, which no point of it reaches, may belong to another thread and are left alone.
+/// Adds what the points of a cell have brought to the groups around it, and clears it.
 template <int D>
 template <class Kernel, int spacing, class Scratch>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
-void VolumeOperator<D>::flush(const PressureNode<D>& cell, const int (&lowest)[Kernel::lattices][D],
-                              const Scratch& scratch) {
+void VolumeOperator<D>::flush(const PressureNode<D>& cell, Scratch& scratch) {
   constexpr int reach = Scratch::reach, extent = Scratch::extent, corners = Scratch::corners;
-  constexpr int hats_axis = reach + 1, own = power(spacing, D);
+  constexpr int hats_axis = reach + 1;
+  std::int32_t group[power(reach, D)];
+  int hat[power(reach, D)];
   for (int g = 0; g < power(reach, D); ++g) {
     PressureNode<D> base = cell;
-    int digit[D], hat = 0;
-    for (int a = D - 1, rest = g; a >= 0; --a, rest /= reach) {
-      digit[a] = rest % reach;
-      base[std::size_t(a)] += digit[a] - (reach - 1);
+    hat[g] = 0;
+    for (int a = D - 1, rest = g, stride = 1; a >= 0; --a, rest /= reach, stride *= hats_axis) {
+      base[std::size_t(a)] += rest % reach - (reach - 1);
+      hat[g] += (reach - 1 - rest % reach) * stride;
     }
-    for (int a = 0; a < D; ++a) hat = hat * hats_axis + (reach - 1 - digit[a]);
-    const std::int32_t group = find_group(base);
-    if (group < 0) continue;
-    for (int s = 0; s < Kernel::lattices * own; ++s) {
-      const int l = s / own;
-      const std::size_t place = std::size_t(group) * std::size_t(slots_) + std::size_t(s);
-      int node = l, rest = s % own, inner[D];
-      for (int a = D - 1; a >= 0; --a, rest /= spacing) inner[a] = rest % spacing;
-      bool reached = record_[place] >= 0;
+    group[g] = find_group(base);
+  }
+  for (int l = 0; l < Kernel::lattices; ++l) {
+    const auto& lower = scratch.lower[l];
+    const auto& upper = scratch.upper[l];
+    int at[D];
+    for (int a = 0; a < D; ++a) at[a] = lower[a];
+    for (bool more = true; more;) {
+      int node = l, g = 0, slot = l;
       for (int a = 0; a < D; ++a) {
-        const int in_cell = digit[a] * spacing + inner[a];
-        const int in_arena = in_cell - lowest[l][a];
-        reached = reached && in_arena >= 0 && in_arena < Kernel::arena_extent;
-        node = node * extent + in_cell;
+        node = node * extent + at[a];
+        g = g * reach + at[a] / spacing;
+        slot = slot * spacing + at[a] % spacing;
       }
-      if (!reached) continue;
-      double* q = touched(place) + hat;
+      more = false;
+      for (int a = D - 1; a >= 0 && !more; --a) {
+        more = at[a] < upper[a];
+        at[a] = more ? at[a] + 1 : lower[a];
+      }
+      const std::size_t place = std::size_t(group[g]) * std::size_t(slots_) + std::size_t(slot);
+      if (group[g] < 0 || record_[place] < 0) continue;
+      double* q = touched(place) + hat[g];
       for (int a = 0; a < D; ++a) {
-        const double* from = scratch.q[node][a];
-        for (int k = 0; k < corners; k += 2) {
-          double* to = q + a * stride_ + change_extent<D, 2, hats_axis>(k);
-          to[0] += from[k];
-          to[1] += from[k + 1];
+        double* from = scratch.q[node][a];
+        SCREE_UNROLL for (int k = 0; k < corners; k += 2) {
+          Pair& to = *reinterpret_cast<Pair*>(q + change_extent<D, 2, hats_axis>(k));
+          to += *reinterpret_cast<const Pair*>(from + k);
         }
-        if (!load_.empty()) {
-          load_[std::size_t(record_[place]) * D + std::size_t(a)] += scratch.load[node][a];
-        }
+        std::fill(from, from + corners, 0.0);
+        q += stride_;
+        if (load_.empty()) continue;
+        load_[std::size_t(record_[place]) * D + std::size_t(a)] += scratch.load[node][a];
+        scratch.load[node][a] = 0;
       }
     }
   }
@@ -260,10 +310,10 @@ void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChu
                        lowest_node(l) - spacing * (run.cell[std::size_t(a)] - Scratch::reach + 1);
       }
     }
-    scratch.clear(!load_.empty());
+    set_range<Kernel, D, spacing>(points, run, lowest, scratch);
     add_points<Kernel, D, spacing>(points, run.begin, run.end, biot / cell_size_, cell_size_,
                                    transfer_ == TransferType::mls, lowest, scratch);
-    flush<Kernel, spacing>(run.cell, lowest, scratch);
+    flush<Kernel, spacing>(run.cell, scratch);
   }
 }
 

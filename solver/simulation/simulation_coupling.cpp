@@ -121,20 +121,30 @@ void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& b
       local[a][std::size_t(i)] = double(batch[int(a) * width + i % width]);
     }
   }
+  for (int i = 0; i < block.count; ++i) {
+    flow_->prefetch(store.ids(block.batches[std::size_t(i / width)])[i % width]);
+  }
   std::vector<std::int32_t> rank;
   arrange<D>(chunk, flow_->lattice(), local, points, rank);
-  for (int i = 0; i < block.count; ++i) {
-    const std::int32_t b = block.batches[std::size_t(i / width)];
-    const int lane = i % width;
+  FlowIncrements<D> increments;
+  for (int first = 0; first < block.count; first += increments.width) {
+    const std::int32_t b = block.batches[std::size_t(first / width)];
+    const int lane = first % width;
     const T* aux = store.aux_batch(b) + layout_.increment * width + lane;
-    Mat3<double> increment = zero3<double>();
-    for (int a = 0; a < D; ++a) {
-      for (int k = 0; k < D; ++k) increment(a, k) = double(aux[(a * D + k) * width]);
+    for (int k = 0; k < D * D; ++k) {
+      for (int i = 0; i < increments.width; ++i) {
+        increments.value[k][i] = double(aux[k * width + i]);
+      }
     }
-    const std::int64_t point = chunk.begin + rank[std::size_t(i)];
-    const std::int64_t id = points.id[std::size_t(point)] = store.ids(b)[lane];
-    if (!points.loaded.empty()) points.loaded[std::size_t(point)] = external_->loaded(id) ? 1 : 0;
-    flow_->fill(point, chunk.body, increment);
+    increments.count = std::min(increments.width, block.count - first);
+    for (int i = 0; i < increments.count; ++i) {
+      const std::int64_t point = chunk.begin + rank[std::size_t(first + i)];
+      const std::int64_t id = store.ids(b)[lane + i];
+      increments.point[i] = point;
+      points.id[std::size_t(point)] = id;
+      if (!points.loaded.empty()) points.loaded[std::size_t(point)] = external_->loaded(id) ? 1 : 0;
+    }
+    flow_->fill(increments, chunk.body);
   }
 }
 
