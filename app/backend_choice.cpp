@@ -10,10 +10,19 @@
 
 namespace scree {
 
-BackendChoice choose_backend(const std::string& asked, const MemoryNeedReport& on_need) {
+BackendChoice choose_backend(const std::string& asked, const MemoryNeedReport& on_need,
+                             const std::string& processor_only) {
   BackendChoice choice;
   if (asked == "cpu") return choice;
+  if (asked == "cuda" && !processor_only.empty()) {
+    throw UserError(fmt::format(
+        "--backend cuda: {} is computed by the processor; use --backend cpu", processor_only));
+  }
   const GpuList found = find_gpus();
+  if (!found.gpus.empty() && !processor_only.empty()) {
+    choice.note = processor_only + " is computed by the processor";
+    return choice;
+  }
   if (!found.gpus.empty()) {
     choice.name = "cuda";
     choice.note = found.gpus[0].name;

@@ -20,8 +20,11 @@ struct BackendChoice {
 
 /// asked: auto, cpu, cuda. auto is the GPU of a build with CUDA on a machine where one works, else
 /// the processor. Throws UserError where cuda is asked for and there is none.
+/// processor_only: what only the processor computes in the run, "[coupling]"; empty: nothing. Then
+/// auto is the processor, and cuda an error.
 /// on_need: told what a run on the GPU will need, before that is allocated; may be empty.
-BackendChoice choose_backend(const std::string& asked, const MemoryNeedReport& on_need = {});
+BackendChoice choose_backend(const std::string& asked, const MemoryNeedReport& on_need = {},
+                             const std::string& processor_only = {});
 
 /// "cpu", "cuda (NVIDIA H100)", "cpu (no GPU: the driver sees none)".
 std::string backend_text(const BackendChoice& choice);

@@ -23,6 +23,7 @@ struct DryTwin {
 };
 
 struct BenchResult {
+  BenchOptions options;  ///< a deck's own dimension, kernel and precision
   std::int64_t particles = 0;
   bool fused = false;
   int steps = 0;
@@ -61,12 +62,13 @@ BenchResult measure(const BenchOptions& options) {
   constexpr int least_steps = 10;
   BenchRun run(options);
   BenchResult result;
+  result.options = run.options();
   result.threads = run.threads();
   result.fused = run.simulation().fused();
   const int enough = run.warm_up(wanted_seconds, least_steps);
   result.steps = options.steps > 0 ? options.steps : enough;
   const PhaseTimes before = run.simulation().phases();
-  if (run.simulation().coupled()) {
+  if (run.simulation().coupled() && options.deck.empty()) {
     BenchOptions dry = options;
     dry.dry = true;
     dry.path = "automatic";
@@ -155,9 +157,9 @@ int bench_command(const BenchOptions& options) {
   }
   const BenchResult result = measure(chosen);
   if (options.json) {
-    print_json(chosen, result);
+    print_json(result.options, result);
   } else {
-    print_text(chosen, result);
+    print_text(result.options, result);
   }
   return 0;
 }

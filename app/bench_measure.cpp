@@ -9,6 +9,7 @@
 
 #include "app/backend_choice.hpp"
 #include "app/bench_case.hpp"
+#include "app/bench_deck.hpp"
 #include "app/machine_info.hpp"
 #include "solver/simulation/simulation_on_device.hpp"
 
@@ -33,7 +34,8 @@ double cpu_seconds() {
 
 BenchRun::BenchRun(const BenchOptions& options) : options_(options) {
   const auto start = Clock::now();
-  SimulationSetup setup = build_bench_case(options);
+  SimulationSetup setup =
+      options.deck.empty() ? build_bench_case(options) : build_bench_deck(options_);
   threads_ = setup.threads = thread_count(options.threads);
   simulation_ = create_on_device(std::move(setup), choose_backend(options.backend).device);
   set_up_seconds_ = seconds_since(start);

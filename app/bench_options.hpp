@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace scree {
 
@@ -17,6 +18,8 @@ struct BenchOptions {
   std::string path = "automatic";      ///< automatic, fused, split
   int threads = 0;                     ///< 0: all cores
   std::string backend = "cpu";         ///< auto, cpu, cuda
+  std::string deck;                    ///< a deck instead of a case; empty: none
+  std::vector<std::string> overrides;  ///< KEY=VALUE of the deck
   bool material_only = false;          ///< what the laws cost by themselves
   bool suite = false;                  ///< table of cases, sweep of sizes and memory bandwidth
   bool quick = false;                  ///< the suite with tiny sizes, to see that it works

@@ -226,6 +226,8 @@ SimulationSetup build_setup(const Deck& deck) {
   setup.kernel = deck.method.kernel;
   setup.transfer = deck.method.transfer;
   setup.flip_blend = deck.method.flip_blend;
+  setup.volumetric_locking = deck.method.volumetric_locking;
+  setup.deterministic = deck.method.deterministic;
   setup.cfl = deck.time.cfl;
   setup.step = deck.time.step;
   setup.damping = deck.method.damping.value > 0 ? deck.method.damping.type : DampingType::none;

@@ -146,6 +146,19 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
   bench.add_flag("--material-only", options.material_only, material_doc)->excludes(suite);
 }
 
+/// A deck in place of a case; it says itself what the other options ask.
+void add_bench_deck(CLI::App& bench, BenchOptions& options) {
+  auto* deck =
+      bench.add_option("--deck", options.deck, "Measure the steps of a deck, without its output")
+          ->type_name("DECK");
+  for (const char* name : {"--suite", "--case", "--dimension", "--precision", "--kernel", "--path",
+                           "--particles", "--material-only"}) {
+    deck->excludes(bench.get_option(name));
+  }
+  add_overrides(bench, options.overrides);
+  bench.get_option("--set")->needs(deck);
+}
+
 void add_bench(CommandLine& line) {
   CLI::App& bench = *line.app.add_subcommand("bench", "Measure particle updates per second");
   BenchOptions& options = line.bench;
@@ -165,6 +178,7 @@ void add_bench(CommandLine& line) {
       ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
       ->type_name("auto|cpu|cuda");
   bench.add_flag("--json", options.json, "Print one JSON object and nothing else");
+  add_bench_deck(bench, options);
   bench.callback([&line] { line.action = [&line] { return bench_command(line.bench); }; });
 }
 
@@ -195,9 +209,13 @@ void add_verify(CommandLine& line) {
       .add_option("-o,--output", options.output,
                   "Folder of the report (default: runs/verify, or runs/verify-full)")
       ->type_name("DIR");
-  verify.add_option("--threads", options.threads, "Runs at a time (default: all cores)")
+  verify
+      .add_option("--threads", options.threads, "Runs at a time (default: all cores; on a GPU 1)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
+  verify.add_option("--backend", options.backend, "Where to compute (default: cpu)")
+      ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+      ->type_name("auto|cpu|cuda");
   verify.callback([&line] { line.action = [&line] { return line.verify_command(line.verify); }; });
 }
 

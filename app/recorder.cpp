@@ -14,6 +14,11 @@ namespace scree {
 
 namespace {
 
+HistoryParts parts_of(const Simulation& simulation, const std::vector<std::string>& colliders,
+                      const std::vector<std::string>& drains) {
+  return {colliders, simulation.coupled() ? DrainNames(drains) : std::nullopt, simulation.loaded()};
+}
+
 /// Adds the wall time of a scope to a sum.
 class Stopwatch {
  public:
@@ -60,14 +65,17 @@ void Recorder::add_samples(std::unique_ptr<Sampler> sampler, int stream) {
   samples_.push_back(std::make_unique<Samples>(Samples{std::move(sampler), stream, {}}));
 }
 
-void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names) {
-  history_ = HistoryWriter::create(history_path_, collider_names, simulation.coupled());
+void Recorder::start(const Simulation& simulation, const std::vector<std::string>& collider_names,
+                     const std::vector<std::string>& drain_names) {
+  history_ =
+      HistoryWriter::create(history_path_, parts_of(simulation, collider_names, drain_names));
   for (const auto& samples : samples_) samples->sampler->begin(simulation);
   record(simulation);
 }
 
 void Recorder::resume(const Simulation& simulation, const StateReader& checkpoint,
-                      const std::vector<std::string>& collider_names) {
+                      const std::vector<std::string>& collider_names,
+                      const std::vector<std::string>& drain_names) {
   const double time = simulation.time();
   taken_step_ = simulation.step_count();
   saved_time_ = time;
@@ -85,8 +93,8 @@ void Recorder::resume(const Simulation& simulation, const StateReader& checkpoin
     samples->table =
         CsvWriter::resume(folder_ / samples->sampler->file(), "", simulation.step_count());
   }
-  history_ = HistoryWriter::resume(history_path_, collider_names, simulation.step_count(),
-                                   simulation.coupled());
+  history_ = HistoryWriter::resume(history_path_, parts_of(simulation, collider_names, drain_names),
+                                   simulation.step_count());
   history_time_ = time;
 }
 

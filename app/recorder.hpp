@@ -41,14 +41,16 @@ class Recorder {
   void add_frames(OutputSpec spec, int stream, ParticleFilter filter);
   void add_samples(std::unique_ptr<Sampler> sampler, int stream);
 
-  /// A new run: the header of the history, and what is due at the simulation's time. Throws
-  /// RunFault.
-  void start(const Simulation& simulation, const std::vector<std::string>& collider_names);
+  /// A new run: the header of the history, and what is due at the simulation's time. drain_names:
+  /// of the drained surfaces. Throws RunFault.
+  void start(const Simulation& simulation, const std::vector<std::string>& collider_names,
+             const std::vector<std::string>& drain_names = {});
 
   /// A continued run: cuts history and frames back to the checkpoint from which `simulation` was
   /// loaded. Throws RunFault.
   void resume(const Simulation& simulation, const StateReader& checkpoint,
-              const std::vector<std::string>& collider_names);
+              const std::vector<std::string>& collider_names,
+              const std::vector<std::string>& drain_names = {});
 
   /// Takes whatever is due at the simulation's time and was not taken for the same event. Throws
   /// RunFault, also for an earlier write.

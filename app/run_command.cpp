@@ -62,8 +62,21 @@ std::vector<std::string> collider_names(const Deck& deck) {
   return names;
 }
 
+std::vector<std::string> drain_names(const Deck& deck) {
+  std::vector<std::string> names;
+  for (const DrainageSpec& drainage : deck.drainage) names.push_back(drainage.name);
+  return names;
+}
+
 void warn(const std::vector<std::string>& warnings) {
   for (const std::string& text : warnings) fmt::print(stderr, "scree: warning: {}\n", text);
+}
+
+/// What keeps a deck off a GPU; empty: nothing.
+std::string processor_only(const Deck& deck) {
+  if (deck.coupling) return "[coupling]";
+  const bool fbar = deck.method.volumetric_locking == VolumetricLocking::fbar;
+  return fbar ? "method.volumetric_locking = \"fbar\"" : "";
 }
 
 /// A run from its deck to its summary.
@@ -125,9 +138,10 @@ RunIdentity Run::identity() const {
 void Run::choose_backend() {
   std::string asked = options_.backend;
   if (asked == "auto" && checkpoint_) asked = checkpoint_->text("run/backend");
-  backend_ = scree::choose_backend(asked, [this](const MemoryNeed& need) {
+  const auto on_need = [this](const MemoryNeed& need) {
     if (!options_.quiet) fmt::print("{}\n", memory_need_text(need));
-  });
+  };
+  backend_ = scree::choose_backend(asked, on_need, processor_only(deck_));
   record_.backend = backend_.name;
   if (backend_.device && !options_.quiet) {
     warn({"the GPU backend has been tested in emulation only, not on a GPU"});
@@ -165,10 +179,10 @@ void Run::open_files() {
                                          frame_filter(deck_.output, deck_.domain.dimension));
   add_records(deck_, *recorder_);
   if (checkpoint_) {
-    recorder_->resume(*simulation_, *checkpoint_, collider_names(deck_));
+    recorder_->resume(*simulation_, *checkpoint_, collider_names(deck_), drain_names(deck_));
     checkpoint_.reset();
   } else {
-    recorder_->start(*simulation_, collider_names(deck_));
+    recorder_->start(*simulation_, collider_names(deck_), drain_names(deck_));
   }
 }
 
@@ -274,10 +288,11 @@ int Run::execute() {
   started_ = recorded_ = wall_clock();
   build();
   if (!options_.quiet) {
-    fmt::print("{}\n{} particles, {}, {} thread{} -> {}\n",
+    const bool fbar = deck_.method.volumetric_locking == VolumetricLocking::fbar;
+    fmt::print("{}\n{} particles, {}, {} thread{}{} -> {}\n",
                deck_.title.empty() ? deck_.name : deck_.title, simulation_->particle_count(),
                backend_text(backend_), record_.threads, record_.threads == 1 ? "" : "s",
-               path_.string());
+               fbar ? ", volumetric_locking fbar (separate passes)" : "", path_.string());
     std::fflush(stdout);
   }
   try {

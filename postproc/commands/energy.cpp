@@ -50,6 +50,13 @@ std::vector<double> gravity_work(const Run& run, const History& history) {
   return work;
 }
 
+bool sums_collider_work(const Run& run, const History& history) {
+  const Value* colliders = run.deck().find("collider");
+  return colliders == nullptr ||
+         std::all_of(colliders->items.begin(), colliders->items.end(),
+                     [&](const Value& collider) { return history.has(collider.key + "_work"); });
+}
+
 /// The velocity of a collider at a time [m/s]; numbers or expressions of t.
 std::array<double, 3> velocity_of(const Value& collider, double time) {
   std::array<double, 3> result{};
@@ -62,13 +69,20 @@ std::array<double, 3> velocity_of(const Value& collider, double time) {
   return result;
 }
 
-/// Work that the moving colliders do on the particles [J]: the history holds the forces on the
-/// colliders, which are the opposite ones.
+/// Work that the moving colliders do on the particles [J], which the run has summed over its steps.
+/// Histories of former versions have the forces on the colliders only, at the rows.
 std::vector<double> collider_work(const Run& run, const History& history) {
   const std::vector<double>& time = history.at("time");
-  std::vector<double> power(time.size(), 0.0);
+  std::vector<double> power(time.size(), 0.0), work(time.size(), 0.0);
   const Value* colliders = run.deck().find("collider");
-  if (colliders == nullptr) return power;
+  if (colliders == nullptr) return work;
+  if (sums_collider_work(run, history)) {
+    for (const Value& collider : colliders->items) {
+      const std::vector<double>& own = history.at(collider.key + "_work");
+      for (std::size_t i = 0; i < time.size(); ++i) work[i] += own[i];
+    }
+    return work;
+  }
   for (const Value& collider : colliders->items) {
     for (std::size_t i = 0; i < time.size(); ++i) {
       const auto velocity = velocity_of(collider, time[i]);
@@ -91,16 +105,23 @@ std::vector<std::string> remarks_of(const Run& run, const History& history) {
                     "along counts as dissipated",
                     100 * (1 - mass.back() / mass.front())));
   }
-  if (run.deck().find("traction") != nullptr) {
-    remarks.push_back(
-        "the run has tractions, whose work is not in the history: the dissipated "
-        "energy is short of it");
-  }
   const Value* method = run.deck().find("method");
-  if (method != nullptr && method->find("body_force") != nullptr) {
-    remarks.push_back(
-        "the run has body forces, whose work is not in the history: the dissipated "
-        "energy is short of it");
+  const bool loads = run.deck().find("traction") != nullptr ||
+                     (method != nullptr && method->find("body_force") != nullptr);
+  if (loads && !history.has("external_work")) {
+    remarks.emplace_back(
+        "the run has tractions or body forces, and its history, of a former version, does not "
+        "have their work: the dissipated energy is short of it");
+  }
+  if (!sums_collider_work(run, history)) {
+    remarks.emplace_back(
+        "the history, of a former version, has the colliders' forces at its rows only: their work "
+        "is as good as the rows are dense");
+  }
+  if (history.has("fluid_mass")) {
+    remarks.emplace_back(
+        "the elastic energy contains that of the pore water; what water brought along or took "
+        "away through drained surfaces counts as dissipated");
   }
   return remarks;
 }
@@ -122,10 +143,51 @@ Chart chart_of(const Report& report, const Run& run) {
   if (run.deck().find("collider") != nullptr) {
     chart.curves.push_back(curve_of(report, 4, "work of colliders", 3));
   }
+  if (report.columns[5].name == "load_work" && report.rows.back()[5] != Cell(0.0)) {
+    chart.curves.push_back(curve_of(report, 5, "work of loads", 5));
+  }
   chart.curves.push_back(curve_of(report, 1, "kinetic", 1));
   chart.curves.push_back(curve_of(report, 2, "elastic", 2));
-  chart.curves.push_back(curve_of(report, 5, "dissipated", 4));
+  chart.curves.push_back(curve_of(report, 6, "dissipated", 4));
   return chart;
+}
+
+/// The table: what is there, what has been done, and the rest.
+Report balance(const Run& run, const History& history) {
+  const std::vector<double>& kinetic = history.at("kinetic_energy");
+  const std::vector<double>& elastic = history.at("elastic_energy");
+  const std::vector<double> gravity = gravity_work(run, history);
+  const std::vector<double> colliders = collider_work(run, history);
+  const std::vector<double> loads = history.has("external_work")
+                                        ? history.at("external_work")
+                                        : std::vector<double>(kinetic.size(), 0.0);
+  Report report;
+  report.command = "energy";
+  const std::string unit = run.dimension() == 2 ? "J/m" : "J";
+  report.columns = {{"time", "s"}};
+  for (const char* name :
+       {"kinetic", "elastic", "gravity_work", "collider_work", "load_work", "dissipated"}) {
+    report.columns.push_back({name, unit});
+  }
+  double largest = 0;
+  for (std::size_t i = 0; i < kinetic.size(); ++i) {
+    const double stored = kinetic[i] - kinetic[0] + elastic[i] - elastic[0];
+    const double work = gravity[i] + colliders[i] + loads[i];
+    report.add({history.at("time")[i], kinetic[i], elastic[i], gravity[i], colliders[i], loads[i],
+                work - stored});
+    largest = std::max(largest, kinetic[i]);
+  }
+  const auto& last = report.rows.back();
+  report.facts = {{"end", last[0], "s"},
+                  {"work", gravity.back() + colliders.back() + loads.back(), unit},
+                  {"gravity_work", last[3], unit},
+                  {"collider_work", last[4], unit},
+                  {"load_work", last[5], unit},
+                  {"kinetic", last[1], unit},
+                  {"elastic", last[2], unit},
+                  {"dissipated", last[6], unit},
+                  {"largest_kinetic", largest, unit}};
+  return report;
 }
 
 int run_energy(const EnergyOptions& options) {
@@ -137,27 +199,8 @@ int run_energy(const EnergyOptions& options) {
       throw UserError((run.folder() / "history.csv").string() + " has no column " + column);
     }
   }
-  const std::vector<double>& kinetic = history.at("kinetic_energy");
-  const std::vector<double>& elastic = history.at("elastic_energy");
-  const std::vector<double> gravity = gravity_work(run, history);
-  const std::vector<double> colliders = collider_work(run, history);
-  Report report;
-  report.command = "energy";
+  Report report = balance(run, history);
   report.run = options.run;
-  report.columns = {{"time", "s"},         {"kinetic", "J"},       {"elastic", "J"},
-                    {"gravity_work", "J"}, {"collider_work", "J"}, {"dissipated", "J"}};
-  double largest = 0;
-  for (std::size_t i = 0; i < kinetic.size(); ++i) {
-    const double stored = kinetic[i] - kinetic[0] + elastic[i] - elastic[0];
-    report.add({history.at("time")[i], kinetic[i], elastic[i], gravity[i], colliders[i],
-                gravity[i] + colliders[i] - stored});
-    largest = std::max(largest, kinetic[i]);
-  }
-  const auto& last = report.rows.back();
-  report.facts = {{"end", last[0], "s"},          {"work", gravity.back() + colliders.back(), "J"},
-                  {"gravity_work", last[3], "J"}, {"collider_work", last[4], "J"},
-                  {"kinetic", last[1], "J"},      {"elastic", last[2], "J"},
-                  {"dissipated", last[5], "J"},   {"largest_kinetic", largest, "J"}};
   report.remarks = remarks_of(run, history);
   deliver(report, {chart_of(report, run)}, run.title(),
           "Work done on the particles, and where it went", options.output);
@@ -169,8 +212,9 @@ std::function<int(const PostWords&)> declare(OptionSet& set) {
   set.positional("run", shared->run, "RUN", "Run folder");
   add_output_options(set, shared->output);
   set.footer(
-      "Dissipated is the work of gravity and of moving colliders less the change of kinetic and\n"
-      "elastic energy: plasticity, viscosity, friction, damping and the method's own losses.");
+      "Dissipated is the work of gravity, of moving colliders and of loads (tractions, body\n"
+      "forces) less the change of kinetic and elastic energy: plasticity, viscosity, friction, "
+      "damping and the method's own losses.");
   return [shared](const PostWords&) { return run_energy(*shared); };
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <sstream>
 
@@ -176,12 +177,15 @@ void print_report(const ProjectOptions& options, const Report& report) {
 int run_project(const ProjectOptions& options, const PostWords& words) {
   const Run run(options.run);
   const std::string kind = extension_of(options.output);
-  if (kind != "vti" && kind != "vtu") {
+  if (kind != "vti" && kind != "vtu" && kind != "xdmf") {
     throw UserError("-o " + options.output +
-                    ": the name must end in .vti (the whole grid) or .vtu "
+                    ": the name must end in .vti (the whole grid), .vtu or .xdmf "
                     "(cells with particles)");
   }
   check_target(options.output, run);
+  if (kind == "xdmf") {
+    check_target(std::filesystem::path(options.output).replace_extension(".h5").string(), run);
+  }
   const ProjectionOptions chosen = projection_options(options);
   const std::size_t frame = chosen_frames(run.frames(), options.time).front();
   std::vector<double> volumes;
@@ -229,8 +233,10 @@ std::function<int(const PostWords&)> declare(OptionSet& set) {
   const auto shared = std::make_shared<ProjectOptions>();
   ProjectOptions& options = *shared;
   set.positional("run", options.run, "RUN", "Run folder");
-  set.text("-o,--output", options.output, "FILE.vti|FILE.vtu",
-           "Grid file: .vti the whole grid, .vtu the cells with particles", true);
+  set.text("-o,--output", options.output, "FILE.vti|FILE.vtu|FILE.xdmf",
+           "Grid file: .vti the whole grid, .vtu and .xdmf (with FILE.h5) the cells with "
+           "particles",
+           true);
   set.texts("--fields,--field", options.fields, "F,F,...",
             "Fields, or single numbers such as stress.p (default: all but mass and volume)");
   add_time_options(set, options.time, false);

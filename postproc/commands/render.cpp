@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "postproc/colliders/collider_files.hpp"
 #include "postproc/commands/command.hpp"
 #include "postproc/commands/options.hpp"
 #include "postproc/commands/tool.hpp"
@@ -21,15 +22,34 @@ namespace {
 struct RenderOptions {
   std::string run, output, time, field = "velocity", title, view = "iso";
   std::vector<std::string> range;
-  double exaggeration = 1, rate = 25;
+  double exaggeration = 1, rate = 25, opacity = 0;
   int width = 1600;
-  bool all = false, crop = false, quiet = false;
+  bool all = false, crop = false, no_colliders = false, no_faces = false, quiet = false;
 };
 
 namespace fs = std::filesystem;
 
-/// What the script reads: the run itself where its frames are VTU, else a copy of frames that lasts
-/// as long as this object.
+/// A folder that lasts as long as this object.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "scree_render_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw RunFault(write_failure(name, errno));
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// What the script reads: the run itself where its frames are VTU, else a copy of frames.
 class FramesForScript {
  public:
   FramesForScript(const Run& run, const std::vector<std::size_t>& frames,
@@ -37,10 +57,7 @@ class FramesForScript {
     std::error_code ignored;
     path_ = run.folder();
     if (fs::exists(run.folder() / "particles.pvd", ignored)) return;
-    std::string name = (fs::temp_directory_path() / "scree_render_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw RunFault(write_failure(name, errno));
-    path_ = name;
-    temporary_ = true;
+    path_ = copies_.emplace().path();
     fs::copy_file(run.folder() / "resolved.toml", path_ / "resolved.toml");
     std::string list;
     for (const std::size_t frame : frames) {
@@ -53,18 +70,32 @@ class FramesForScript {
                  "<VTKFile type=\"Collection\" version=\"0.1\"><Collection>\n" + list +
                      "</Collection></VTKFile>\n");
   }
-  FramesForScript(const FramesForScript&) = delete;
-  FramesForScript& operator=(const FramesForScript&) = delete;
-  ~FramesForScript() {
-    std::error_code ignored;
-    if (temporary_) fs::remove_all(path_, ignored);
-  }
   std::string path() const { return path_.string(); }
 
  private:
   fs::path path_;
-  bool temporary_ = false;
+  std::optional<TemporaryFolder> copies_;
 };
+
+/// Writes the colliders at the times of these frames; returns the words that name them.
+std::vector<std::string> collider_words(const Run& run, const std::vector<std::size_t>& frames,
+                                        const RenderOptions& options, const fs::path& folder) {
+  const Value* colliders = run.deck().find("collider");
+  if (options.no_colliders || colliders == nullptr || colliders->items.empty()) return {};
+  std::vector<double> times;
+  for (const std::size_t frame : frames) times.push_back(run.frames().times()[frame]);
+  const fs::path index = folder / "colliders.pvd";
+  try {
+    write_colliders(run, times, index);
+  } catch (const UserError& error) {
+    throw UserError(std::string(error.what()) + "\n--no-colliders draws the particles alone");
+  }
+  std::vector<std::string> words{"--colliders", index.string()};
+  if (options.opacity > 0) {
+    words.insert(words.end(), {"--collider-opacity", fmt::format("{}", options.opacity)});
+  }
+  return words;
+}
 
 /// The words for the script but for the folder that it reads. A field.component is what the other
 /// commands take.
@@ -101,8 +132,10 @@ std::vector<std::string> script_words(const RenderOptions& options, const Run& r
   words.insert(words.end(), {"--view", options.view, "--width", std::to_string(options.width),
                              "--rate", fmt::format("{}", options.rate), "--exaggeration",
                              fmt::format("{}", options.exaggeration)});
-  for (const auto& [set, word] :
-       {std::pair{options.all, "--all"}, {options.crop, "--crop"}, {options.quiet, "--quiet"}}) {
+  for (const auto& [set, word] : {std::pair{options.all, "--all"},
+                                  {options.crop, "--crop"},
+                                  {options.no_faces, "--no-faces"},
+                                  {options.quiet, "--quiet"}}) {
     if (set) words.emplace_back(word);
   }
   return words;
@@ -124,8 +157,12 @@ int run_render(RenderOptions options) {
   time.time = options.time;
   time.all = options.all || kind == "mp4";
   const auto wanted = quantities(options.field, run.fields(), run.dimension());
-  const FramesForScript frames(run, chosen_frames(run.frames(), time), needed_fields(wanted));
+  const std::vector<std::size_t> chosen = chosen_frames(run.frames(), time);
+  const TemporaryFolder folder;
+  const std::vector<std::string> more = collider_words(run, chosen, options, folder.path());
+  const FramesForScript frames(run, chosen, needed_fields(wanted));
   words.insert(words.begin(), frames.path());
+  words.insert(words.end(), more.begin(), more.end());
   const int status = run_tool("render", words);
   if (status == 0 && !options.quiet) fmt::print("{}\n", options.output);
   return status;
@@ -148,6 +185,10 @@ std::function<int(const PostWords&)> declare(OptionSet& set) {
   set.number("--exaggeration", options.exaggeration, 1e-3, 1e3, "E", "Of heights (default: 1)");
   set.text("--title", options.title, "TEXT", "Default: the deck's title");
   set.flag("--crop", options.crop, "Show the particles instead of the whole domain");
+  set.flag("--no-colliders", options.no_colliders, "Leave out colliders and terrain");
+  set.number("--collider-opacity", options.opacity, 0.01, 1, "A",
+             "Of colliders (default: 0.35; 1 for a terrain in space)");
+  set.flag("--no-faces", options.no_faces, "Leave out the faces of the domain that hold particles");
   set.whole_number("--width", options.width, 200, 16000, "N", "In pixels (default: 1600)");
   set.number("--rate", options.rate, 0.1, 240, "R", "Frames a second of a film (default: 25)");
   set.flag("--quiet", options.quiet, "Print errors only");

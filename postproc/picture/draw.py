@@ -13,6 +13,7 @@ from picture.page import Layout, Paper, add_colour_bar, add_flat_axes, add_space
 from picture.run_files import Mistake, choose_frames, colour_values, read_deck, read_frame
 from picture.scene import (Scene, box_edges, colour_function, flat_view, particle_actors, projected_box,
                            space_view)
+from picture.walls import add_flat_faces, collider_actors, face_actors
 
 
 def colour_range(values, asked):
@@ -104,13 +105,20 @@ def draw_frame(options, deck, path, time, output):
     layout, pixels_per_metre = place(scene, renderer, options.width)
     for actor in particle_actors(scene, data, values, function, pixels_per_metre):
         renderer.AddActor(actor)
+    if options.colliders:
+        for actor in collider_actors(scene, deck, options.colliders, time, options.collider_opacity):
+            renderer.AddActor(actor)
     if not scene.flat:
         renderer.AddActor(box_edges(scene))
+        for actor in () if options.no_faces else face_actors(scene, deck):
+            renderer.AddActor(actor)
     renderer.ResetCameraClippingRange()
     window = open_window(layout, renderer, overlay)
 
     paper = Paper(overlay, layout.scale)
     if scene.flat:
+        if not options.no_faces:
+            add_flat_faces(paper, layout, scene, deck)
         add_flat_axes(paper, layout, scene)
     else:
         add_space_axes(paper, layout, scene, renderer)

@@ -19,6 +19,7 @@
 #include <cerrno>
 #include <filesystem>
 
+#include "postproc/project/active_cells.hpp"
 #include "solver/base/error.hpp"
 #include "solver/io/durable_file.hpp"
 
@@ -96,38 +97,20 @@ void write_image(const std::string& path, const Projection& projection, double t
 }
 
 void write_cells(const std::string& path, const Projection& projection, double time) {
-  const Lattice& lattice = projection.lattice;
-  const int corners = 1 << lattice.dimension;
-  std::vector<std::int64_t> nodes;
-  std::vector<vtkIdType> index(static_cast<std::size_t>(lattice.node_count()), -1);
+  const ActiveCells active = active_cells(projection);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  for (std::size_t p = 0; p < active.points.size(); p += 3)
+    points->InsertNextPoint(&active.points[p]);
   vtkNew<vtkCellArray> cells;
-  for (std::size_t cell = 0; cell < projection.active_cell.size(); ++cell) {
-    if (projection.active_cell[cell] == 0) continue;
-    const auto place = lattice.cell_place(static_cast<std::int64_t>(cell));
-    cells->InsertNextCell(corners);
-    for (int c = 0; c < corners; ++c) {
-      const std::array<std::int64_t, 3> at = {place[0] + (c & 1), place[1] + (c >> 1 & 1),
-                                              lattice.dimension == 3 ? place[2] + (c >> 2 & 1) : 0};
-      const std::int64_t node = lattice.node(at);
-      vtkIdType& known = index[static_cast<std::size_t>(node)];
-      if (known < 0) {
-        known = static_cast<vtkIdType>(nodes.size());
-        nodes.push_back(node);
-        double x[3];
-        for (std::size_t a = 0; a < 3; ++a) {
-          x[a] = lattice.origin[a] + lattice.spacing * static_cast<double>(at[a]);
-        }
-        points->InsertNextPoint(x);
-      }
-      cells->InsertCellPoint(known);
-    }
+  for (std::size_t c = 0; c < active.corner.size(); ++c) {
+    if (c % active.corners == 0) cells->InsertNextCell(static_cast<int>(active.corners));
+    cells->InsertCellPoint(static_cast<vtkIdType>(active.corner[c]));
   }
   vtkNew<vtkUnstructuredGrid> grid;
   grid->SetPoints(points);
-  grid->SetCells(lattice.dimension == 3 ? VTK_VOXEL : VTK_PIXEL, cells);
-  add_arrays(*grid, projection, time, nodes);
+  grid->SetCells(projection.lattice.dimension == 3 ? VTK_VOXEL : VTK_PIXEL, cells);
+  add_arrays(*grid, projection, time, active.nodes);
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   write(*writer, *grid, path);
 }
@@ -137,6 +120,8 @@ void write_cells(const std::string& path, const Projection& projection, double t
 void write_grid_file(const std::string& path, const Projection& projection, double time) {
   if (path.ends_with(".vtu")) {
     write_cells(path, projection, time);
+  } else if (path.ends_with(".xdmf")) {
+    write_xdmf_grid(path, projection, time);
   } else {
     write_image(path, projection, time);
   }

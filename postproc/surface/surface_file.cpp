@@ -6,16 +6,12 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
 
+#include "postproc/colliders/surface_mesh.hpp"
 #include "postproc/surface/level_set.hpp"
-#include "solver/base/error.hpp"
-#include "solver/io/durable_file.hpp"
 
 namespace scree {
 namespace {
@@ -59,20 +55,7 @@ SurfaceMeasure write_surface(const LevelSet& level, const std::string& path) {
   measure.pieces = static_cast<std::size_t>(surface.GetNumberOfCells());
   for (vtkIdType c = 0; c < surface.GetNumberOfCells(); ++c) measure.size += size_of(surface, c);
   if (path.empty()) return measure;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  const std::filesystem::path temporary = aside(path);
-  writer->SetFileName(temporary.c_str());
-  writer->SetInputData(&surface);
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToNone();
-  errno = 0;
-  if (writer->Write() == 0 || writer->GetErrorCode() != 0) {
-    const int error = errno;
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw RunFault(write_failure(path, error));
-  }
-  take_name(temporary, path);
+  write_poly_data(surface, path);
   return measure;
 }
 

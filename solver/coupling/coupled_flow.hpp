@@ -188,8 +188,9 @@ class CoupledFlow {
   std::vector<double> biot_;           ///< of each body
   AlignedVector<PoreState<D>> state_;  ///< by particle id
   std::array<double, std::size_t(Part::count)> seconds_{};
-  double start_mass_ = 0;  ///< of the water [kg]
-  double outflow_ = 0;     ///< [kg]
+  double start_mass_ = 0;        ///< of the water [kg]
+  double left_ = 0;              ///< [kg], of particles that left through open faces
+  std::vector<double> outflow_;  ///< [kg], through each drained surface
   int iterations_ = 0;
 };
 

@@ -114,7 +114,7 @@ void CoupledFlow<D>::index_points() {
   for (std::size_t id = 0; id < now.size(); ++id) {
     while (body + 1 < bodies_.size() && std::int64_t(id) >= bodies_[body + 1].first_id) ++body;
     if (point_of_[id] < 0 || now[id] >= 0) continue;
-    outflow_ += fluid_mass(std::int32_t(body), std::int64_t(id), state_[id].ratio);
+    left_ += fluid_mass(std::int32_t(body), std::int64_t(id), state_[id].ratio);
   }
   point_of_ = std::move(now);
   present_ = std::int64_t(ids.size());
@@ -142,7 +142,7 @@ void CoupledFlow<D>::gather(double dt, const std::array<double, 3>& gravity, Thr
     const FlowChunk<D>& chunk = points_.chunks[std::size_t(c)];
     for (const FlowRun<D>& run : chunk.runs) gather_run(run, chunk.body, gravity);
   });
-  outflow_ += surfaces_.outflow(matrix_, solution_, dt);
+  surfaces_.add_outflow(matrix_, solution_, dt, outflow_);
 }
 
 template <int D>

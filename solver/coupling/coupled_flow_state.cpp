@@ -36,8 +36,10 @@ template <int D>
 FluidBalance CoupledFlow<D>::balance(double mass) const {
   FluidBalance balance;
   balance.mass = mass;
-  balance.outflow = outflow_;
-  balance.error = start_mass_ > 0 ? (mass + outflow_ - start_mass_) / start_mass_ : 0;
+  balance.surfaces = outflow_;
+  balance.outflow = left_;
+  for (const double through : outflow_) balance.outflow += through;
+  balance.error = start_mass_ > 0 ? (mass + balance.outflow - start_mass_) / start_mass_ : 0;
   balance.iterations = iterations_;
   return balance;
 }
@@ -111,7 +113,8 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
     }
     writer.put(name, values);
   });
-  writer.put("coupling/water", std::vector<double>{start_mass_, outflow_, double(iterations_)});
+  writer.put("coupling/water", std::vector<double>{start_mass_, left_, double(iterations_)});
+  writer.put("coupling/outflow", outflow_);
   std::vector<std::int32_t> alive;
   for (const std::int32_t point : point_of_) alive.push_back(point >= 0 ? 1 : -1);
   writer.put("coupling/present", alive);
@@ -147,13 +150,15 @@ void CoupledFlow<D>::load(const StateReader& reader) {
   present_ = -1;
   const auto water = reader.get<double>("coupling/water");
   start_mass_ = water.at(0);
-  outflow_ = water.at(1);
+  left_ = water.at(1);
+  const std::size_t surfaces = outflow_.size();
+  outflow_ = reader.get<double>("coupling/outflow");
   iterations_ = int(water.at(2));
   const auto nodes = reader.get<std::int64_t>("coupling/nodes");
   const auto values = reader.get<double>("coupling/nodal_pressure");
   const auto earlier = reader.get<double>("coupling/earlier_pressure");
-  if (!fits || point_of_.size() != state_.size() || nodes.size() != values.size() ||
-      nodes.size() != earlier.size()) {
+  if (!fits || point_of_.size() != state_.size() || outflow_.size() != surfaces ||
+      nodes.size() != values.size() || nodes.size() != earlier.size()) {
     throw RunFault("the checkpoint's pore water does not match this deck");
   }
   nodal_.assign(nodal_.size(), 0.0);

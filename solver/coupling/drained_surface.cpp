@@ -62,6 +62,7 @@ void DrainedSurfaces<D>::add_place(const Face& face, const SurfacePoint<D>& poin
         fmt::format("drainage.{}: its value is not finite at t = {:.6g} s", setup.name, t));
   }
   Place place{};
+  place.surface = face.surface;
   place.cell = point.cell;
   hats<D>(xi, place.n);
   const bool flux = setup.type == DrainageType::flux;
@@ -82,17 +83,17 @@ void DrainedSurfaces<D>::add_place(const Face& face, const SurfacePoint<D>& poin
 }
 
 template <int D>
-double DrainedSurfaces<D>::outflow(const PressureMatrix<D>& matrix,
-                                   const std::vector<double>& pressure, double dt) const {
-  double sum = 0;
+void DrainedSurfaces<D>::add_outflow(const PressureMatrix<D>& matrix,
+                                     const std::vector<double>& pressure, double dt,
+                                     std::vector<double>& mass) const {
   for (const Place& place : places_) {
     double p = 0;
     for (int k = 0; k < (1 << D); ++k) {
       p += place.n[k] * pressure[std::size_t(matrix.row(corner<D>(place.cell, k)))];
     }
-    sum += place.density * (place.conductance * (p - place.given) + place.flux);
+    mass[std::size_t(place.surface)] +=
+        dt * place.density * (place.conductance * (p - place.given) + place.flux);
   }
-  return sum * dt;
 }
 
 template class DrainedSurfaces<2>;

@@ -54,9 +54,11 @@ class DrainedSurfaces {
     }
   }
 
-  /// Mass of water that flowed out over the step dt at the solved pressures [kg] (2D: kg/m).
-  double outflow(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
-                 double dt) const;
+  std::size_t count() const { return setups_.size(); }
+  /// Adds to each surface's entry of `mass` the water that flowed out over the step dt at the
+  /// solved pressures [kg] (2D: kg/m).
+  void add_outflow(const PressureMatrix<D>& matrix, const std::vector<double>& pressure, double dt,
+                   std::vector<double>& mass) const;
 
  private:
   struct Face {
@@ -66,6 +68,7 @@ class DrainedSurfaces {
   };
   /// A face as the last add() saw it: outflow = sum_k n_k conductance (p_k - given) + flux.
   struct Place {
+    std::int32_t surface;
     PressureNode<D> cell;
     double n[1 << D];
     double conductance, given, flux, density;

@@ -132,6 +132,10 @@ std::vector<std::string> citations(const Deck& deck) {
   if (deck.method.kernel == KernelType::compact) {
     for (const std::string& publication : method_schema().citations()) add(publication);
   }
+  if (deck.method.volumetric_locking == VolumetricLocking::fbar) {
+    add("Y. Zhao, C. Jiang, J. Choo, Circumventing volumetric locking in explicit material point "
+        "methods, Int. J. Numer. Methods Engrg. 124, 2023, doi 10.1002/nme.7347");
+  }
   for (const MaterialSpec& material : deck.materials) {
     const MaterialEntry* model = find_material_model(material.model);
     if (model == nullptr) continue;

@@ -142,10 +142,24 @@ template <int D, class T>
 void DeviceBackend<D, T>::p2g(const Parameters& parameters) {
   grid_.clear(grid_.current);
   if (config_.separate_force) grid_.clear(grid_.extra);
+  if (config_.deterministic) return p2g_fixed(parameters);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     kernels_->p2g(config_.kernel, config_.transfer, pass_data(i, parameters[i]),
                   particles_[i].blocks());
   }
+}
+
+template <int D, class T>
+void DeviceBackend<D, T>::p2g_fixed(const Parameters& parameters) {
+  double mass = 0;
+  for (const PassParameters<T>& p : parameters) mass = std::max(mass, double(p.particle_mass));
+  const FixedChannels sums =
+      grid_.fixed_sums(mass, config_.cell_size / double(parameters[0].dt_next));
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    kernels_->p2g_fixed(config_.kernel, config_.transfer, pass_data(i, parameters[i]), sums,
+                        particles_[i].blocks());
+  }
+  grid_.take(sums);
 }
 
 template <int D, class T>

@@ -50,6 +50,7 @@ class DeviceBackend final : public Backend<D, T> {
   MemoryNeed memory_need() const;
   void check_memory() const;
   void find_blocks(bool carry);
+  void p2g_fixed(const Parameters& parameters);
   PassData<D, T> pass_data(std::size_t body, const PassParameters<T>& parameters) const;
   /// Where the numbers that a step reads back lie: mass, reactions, summaries.
   double* mass_there() const;

@@ -16,10 +16,13 @@ DeviceGrid<D, T>::DeviceGrid(Device& device, DeviceKernels<D, T>& kernels,
       config_(config),
       grid_(config.domain.lattices),
       contacts_(device, config.lower, config.cell_size),
+      overflow_(device, "the grid"),
       neighbours_(device, "the grid"),
       from_block_(device, "the grid"),
       block_mass_(device, "the grid") {
   for (int a = 0; a < D; ++a) faces_.emplace_back(device);
+  if (!config.deterministic) return;
+  for (int i = 0; i < (config.separate_force ? 2 : 1); ++i) fixed_.emplace_back(device, "the grid");
 }
 
 template <int D, class T>
@@ -57,6 +60,28 @@ template <int D, class T>
 void DeviceGrid<D, T>::clear(DeviceArray<T>& channel) {
   channel.resize(grid_.size());
   channel.zero();
+}
+
+template <int D, class T>
+FixedChannels DeviceGrid<D, T>::fixed_sums(double m, double v) {
+  FixedChannels sums;
+  sums.set_units(m, v);
+  for (std::size_t i = 0; i < fixed_.size(); ++i) {
+    fixed_[i].resize(grid_.size());
+    fixed_[i].zero();
+    sums.sum[i] = fixed_[i].data();
+  }
+  overflow_.resize(1);
+  overflow_.zero();
+  sums.overflow = overflow_.data();
+  return sums;
+}
+
+template <int D, class T>
+void DeviceGrid<D, T>::take(const FixedChannels& sums) {
+  const auto values = std::int64_t(grid_.size());
+  kernels_.from_fixed(sums, 0, values, current.data());
+  if (fixed_.size() > 1) kernels_.from_fixed(sums, 1, values, extra.data());
 }
 
 template <int D, class T>
@@ -126,6 +151,7 @@ template <int D, class T>
 std::int64_t DeviceGrid<D, T>::bytes() const {
   std::int64_t total = contacts_.bytes();
   for (const FaceLines& faces : faces_) total += faces.bytes();
+  for (const auto& sums : fixed_) total += std::int64_t(sums.bytes());
   return total + std::int64_t(current.bytes() + next.bytes() + extra.bytes() + neighbours_.bytes() +
                               from_block_.bytes() + block_mass_.bytes());
 }
@@ -135,7 +161,9 @@ std::int64_t DeviceGrid<D, T>::needed_bytes(const std::vector<std::uint64_t>& oc
   Topology<D> topology;
   topology.build(occupied, config_.domain);
   const int channels = config_.fused || config_.separate_force ? 2 : 1;
-  const auto of_block = std::int64_t(channels * grid_.block_values() * sizeof(T) +
+  const std::size_t of_value =
+      std::size_t(channels) * sizeof(T) + fixed_.size() * sizeof(FixedChannels::Value);
+  const auto of_block = std::int64_t(grid_.block_values() * of_value +
                                      neighbour_count<D> * sizeof(std::int32_t) + sizeof(double));
   return std::int64_t(topology.size()) * of_block;
 }

@@ -26,6 +26,11 @@ class DeviceGrid {
   void rebuild(const std::vector<std::uint64_t>& occupied, bool carry);
   /// Zeroes a channel of the present blocks.
   void clear(DeviceArray<T>& channel);
+  /// Zero sums in fixed point for the present blocks, with units for particles of mass m [kg] and a
+  /// speed scale v [m/s].
+  FixedChannels fixed_sums(double m, double v);
+  /// Turns them into `current` (and `extra`).
+  void take(const FixedChannels& sums);
   /// Momenta to velocities in `current` (and `extra`); *mass: mean mass of the lattices.
   /// reactions: 6 a collider, times step length and lattices.
   void update(const GridForces& forces, const std::vector<Collider>& colliders, ThreadPool& pool,
@@ -54,6 +59,8 @@ class DeviceGrid {
   Grid<D, T> grid_;
   std::vector<FaceLines> faces_;  ///< one an axis
   ContactList<D, T> contacts_;
+  std::vector<DeviceArray<FixedChannels::Value>> fixed_;  ///< one a channel, where sums are fixed
+  DeviceArray<std::int32_t> overflow_;
   DeviceArray<std::int32_t> neighbours_;
   DeviceArray<std::int32_t> from_block_;
   DeviceArray<double> block_mass_;

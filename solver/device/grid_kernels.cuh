@@ -3,6 +3,8 @@
 /// The grid update as kernels: what GridUpdate does on the processor, line by line.
 #pragma once
 
+#include <cmath>
+
 #include "solver/device/kernels.hpp"
 #include "solver/device/launch.cuh"
 #include "solver/grid/face_fold.hpp"
@@ -38,6 +40,20 @@ __global__ void __launch_bounds__(block_threads)
   }
   const double sum = device::block_sum(mass, room.value);
   if (device::thread() == 0) block_mass[blockIdx.x] = sum;
+}
+
+/// A thread a value of a channel.
+template <class T>
+__global__ void from_fixed(const __grid_constant__ FixedChannels sums, int channel,
+                           std::int64_t values, T* out) {
+  const std::int64_t i = element();
+  if (i >= values) return;
+  const double units = double((long long)(sums.sum[channel][i]));
+  if (i % node_values == mass_slot) {
+    out[i] = T(units * sums.mass);
+  } else {
+    out[i] = *sums.overflow != 0 ? T(NAN) : T(units * sums.momentum);
+  }
 }
 
 /// One thread block. *out = sum of n values x factor. (A template, as an inline kernel may not be.)

@@ -6,6 +6,7 @@
 #include "solver/boundary/contact_type.hpp"
 #include "solver/boundary/face_type.hpp"
 #include "solver/device/device.hpp"
+#include "solver/exec/fixed_channels.hpp"
 #include "solver/simulation/method.hpp"
 #include "solver/step/pass_data.hpp"
 
@@ -96,6 +97,12 @@ class DeviceKernels {
   virtual ~DeviceKernels() = default;
 
   virtual void p2g(KernelType, TransferType, const PassData<D, T>&, int blocks) = 0;
+  /// p2g with sums in fixed point.
+  virtual void p2g_fixed(KernelType, TransferType, const PassData<D, T>&, const FixedChannels&,
+                         int blocks) = 0;
+  /// The sums of a channel as numbers. After an overflow all momenta are NaN: the next pass reports
+  /// it.
+  virtual void from_fixed(const FixedChannels&, int channel, std::int64_t values, T* out) = 0;
   virtual void g2p(KernelType, TransferType, const PassData<D, T>&, int blocks) = 0;
   virtual void summarise(const BlockResult<T>* results, int blocks, BodySummary<T>* out) = 0;
 

@@ -25,6 +25,22 @@ class KernelsOf final : public DeviceKernels<D, T> {
     if (kernel == KernelType::quadratic) SplitLaunch<Quadratic, D, T>::p2g(transfer, data, blocks);
     if (kernel == KernelType::linear) SplitLaunch<Linear, D, T>::p2g(transfer, data, blocks);
   }
+  void p2g_fixed(KernelType kernel, TransferType transfer, const PassData<D, T>& data,
+                 const FixedChannels& sums, int blocks) override {
+    if (kernel == KernelType::compact) {
+      SplitLaunch<Compact, D, T>::p2g_fixed(transfer, data, sums, blocks);
+    }
+    if (kernel == KernelType::quadratic) {
+      SplitLaunch<Quadratic, D, T>::p2g_fixed(transfer, data, sums, blocks);
+    }
+    if (kernel == KernelType::linear) {
+      SplitLaunch<Linear, D, T>::p2g_fixed(transfer, data, sums, blocks);
+    }
+  }
+  void from_fixed(const FixedChannels& sums, int channel, std::int64_t values, T* out) override {
+    launch("from_fixed", kernels::from_fixed<T>, blocks_for(values), block_threads, sums, channel,
+           values, out);
+  }
   void g2p(KernelType kernel, TransferType transfer, const PassData<D, T>& data,
            int blocks) override {
     if (kernel == KernelType::compact) SplitLaunch<Compact, D, T>::g2p(transfer, data, blocks);

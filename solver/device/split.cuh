@@ -11,6 +11,8 @@ inline namespace SCREE_SIDE {
 template <class Kernel, int D, class T>
 struct SplitLaunch {
   static void p2g(TransferType transfer, const PassData<D, T>& data, int blocks);
+  static void p2g_fixed(TransferType transfer, const PassData<D, T>& data,
+                        const FixedChannels& channels, int blocks);
   static void g2p(TransferType transfer, const PassData<D, T>& data, int blocks);
 };
 
@@ -18,6 +20,15 @@ template <class Kernel, int D, class T>
 void SplitLaunch<Kernel, D, T>::p2g(TransferType transfer, const PassData<D, T>& data, int blocks) {
   with_transfer<Kernel>(transfer, [&](auto policy) {
     launch("p2g", kernels::p2g<Kernel, decltype(policy), D, T>, blocks, block_threads, data);
+  });
+}
+
+template <class Kernel, int D, class T>
+void SplitLaunch<Kernel, D, T>::p2g_fixed(TransferType transfer, const PassData<D, T>& data,
+                                          const FixedChannels& channels, int blocks) {
+  with_transfer<Kernel>(transfer, [&](auto policy) {
+    launch("p2g_fixed", kernels::p2g_fixed<Kernel, decltype(policy), D, T>, blocks, block_threads,
+           data, channels);
   });
 }
 

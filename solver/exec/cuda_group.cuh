@@ -3,10 +3,13 @@
 /// The CUDA side of the backend seam: the same primitives as CpuGroup, one particle a thread.
 #pragma once
 
+#include <type_traits>
+
 #include "solver/base/pack.hpp"
 #include "solver/device/device.hpp"
 #include "solver/exec/arena.hpp"
 #include "solver/exec/cuda_leaves.cuh"
+#include "solver/exec/cuda_sums.cuh"
 #include "solver/step/pass_data.hpp"
 #include "solver/transfer/stencil.hpp"
 
@@ -20,35 +23,40 @@ struct CudaBatch {
 
 /// A block's arena in shared memory, component after component, so that neighbouring nodes lie in
 /// neighbouring banks: `Reads` channels of D velocities, then `Sums` channels of D momenta and
-/// mass.
-template <int D, class T, class Kernel, int Reads, int Sums>
+/// mass. Both of type Value.
+template <int D, class Value, class Kernel, int Reads, int Sums>
 struct CudaArena {
   static constexpr int nodes = ArenaShape<Kernel, D>::nodes;
   static constexpr int sums_begin = Reads * D * nodes;
   static constexpr int values = sums_begin + Sums * (D + 1) * nodes;
-  T value[values];
+  Value value[values];
 };
 
 /// A CUDA thread block works on one grid block, whose batches lie side by side. Faults and maxima
 /// go to the block's result in global memory; which of several faults is recorded is left to
-/// chance.
+/// chance. Summation: PlainSums or FixedSums.
 ///
 /// Members are host-device functions because the bodies are; they only make sense in a kernel.
-template <int D, class T, class Kernel, int Reads, int Sums>
-class CudaGroup {
+template <int D, class T, class Kernel, int Reads, int Sums,
+          template <int, class> class Summation = PlainSums>
+class CudaGroup : private Summation<D, T> {
+  using Value = typename Summation<D, T>::Value;
+  static_assert(Reads == 0 || std::is_same_v<Value, T>, "an arena holds numbers of one type");
+
  public:
   using Real = T;
   using V = T;
   using Int = IntOf<V>;
   using Batch = CudaBatch;
   using Shape = ArenaShape<Kernel, D>;
-  using Arena = CudaArena<D, T, Kernel, Reads, Sums>;
+  using Arena = CudaArena<D, Value, Kernel, Reads, Sums>;
   static constexpr int dimension = D;
   static constexpr int width = device_width;
 
   /// arena: in shared memory; null for passes that stage nothing.
-  SCREE_FN CudaGroup(const PassData<D, T>& data, T* arena, int block)
-      : data_(data), arena_(arena), block_(block) {
+  SCREE_FN CudaGroup(const PassData<D, T>& data, Value* arena, int block,
+                     const Summation<D, T>& summation = Summation<D, T>{})
+      : Summation<D, T>(summation), data_(data), arena_(arena), block_(block) {
     if (device::thread() == 0) data_.results[block_] = BlockResult<T>{};
     device::barrier();
   }
@@ -66,17 +74,17 @@ class CudaGroup {
   }
 
   SCREE_FN void clear(int channel) {
-    T* sums = sum_arena(channel);
+    Value* sums = sum_arena(channel);
     for (int n = device::thread(); n < (D + 1) * Shape::nodes; n += device::threads())
-      sums[n] = T(0);
+      sums[n] = Value(0);
   }
 
   SCREE_FN void sync(CallPlace at = SCREE_CALL_PLACE) { device::barrier(at); }
 
   /// Adds the arena's sums to the grid; other blocks may do so at the same time.
   SCREE_FN void stage_out(int channel) {
-    T* grid = data_.write[channel];
-    const T* sums = sum_arena(channel);
+    Value* grid = this->channel(data_, channel);
+    const Value* sums = sum_arena(channel);
     for (int n = device::thread(); n < Shape::nodes; n += device::threads()) {
       const std::int64_t to = record(n);
       if (to < 0) continue;
@@ -149,7 +157,7 @@ class CudaGroup {
                                const V& mass, const V (&affine)[D][D], const V& mask) {
     if (mask == V(0)) return;
     SCREE_UNROLL_ON_DEVICE for (int k = 0; k < L; ++k) {
-      T* nodes = sum_arena(channel) + p.base[k];
+      Value* nodes = sum_arena(channel) + p.base[k];
       SCREE_UNROLL_ON_DEVICE for (int s = 0; s < power(S, D); ++s) {
         int number[D];
         const int offset = stencil_node<S>(s, number);
@@ -159,9 +167,9 @@ class CudaGroup {
           SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) {
             momentum += affine[c][a] * (V(number[a]) + p.offset[k][a]);
           }
-          device::add(nodes + c * Shape::nodes + offset, w * momentum);
+          this->add_momentum(nodes + c * Shape::nodes + offset, w * momentum);
         }
-        device::add(nodes + D * Shape::nodes + offset, w * mass);
+        this->add_mass(nodes + D * Shape::nodes + offset, w * mass);
       }
     }
   }
@@ -208,7 +216,7 @@ class CudaGroup {
 
  private:
   SCREE_FN T* read_arena(int channel) const { return arena_ + channel * D * Shape::nodes; }
-  SCREE_FN T* sum_arena(int channel) const {
+  SCREE_FN Value* sum_arena(int channel) const {
     return arena_ + Arena::sums_begin + channel * (D + 1) * Shape::nodes;
   }
 
@@ -285,7 +293,7 @@ class CudaGroup {
   SCREE_FN void scatter(int channel, Int base, const V (&w)[D][S], const V (&alt)[D][S],
                         const V (&q)[D], V mass, const V (&m)[D][D], V mask) {
     if (mask == V(0)) return;
-    T* nodes = sum_arena(channel) + base;
+    Value* nodes = sum_arena(channel) + base;
     SCREE_UNROLL_ON_DEVICE for (int s = 0; s < power(S, D); ++s) {
       int number[D];
       V products[1 + D];
@@ -294,14 +302,14 @@ class CudaGroup {
       SCREE_UNROLL_ON_DEVICE for (int c = 0; c < D; ++c) {
         V sum = products[0] * q[c];
         SCREE_UNROLL_ON_DEVICE for (int a = 0; a < D; ++a) sum += products[1 + a] * m[c][a];
-        device::add(nodes + c * Shape::nodes + offset, sum);
+        this->add_momentum(nodes + c * Shape::nodes + offset, sum);
       }
-      device::add(nodes + D * Shape::nodes + offset, products[0] * mass);
+      this->add_mass(nodes + D * Shape::nodes + offset, products[0] * mass);
     }
   }
 
   const PassData<D, T>& data_;
-  T* arena_;
+  Value* arena_;
   int block_;
 };
 

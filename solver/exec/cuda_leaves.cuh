@@ -61,6 +61,13 @@ SCREE_FN void add([[maybe_unused]] T* p, [[maybe_unused]] T x) {
 #endif
 }
 
+/// *flag = 1 while others do the same.
+SCREE_FN void raise_flag([[maybe_unused]] std::int32_t* flag) {
+#if SCREE_IN_KERNEL
+  atomicMax(flag, std::int32_t(1));
+#endif
+}
+
 /// Replaces `expected` by `desired`; true for the one caller that did.
 template <class Enum>
 SCREE_FN bool claim([[maybe_unused]] Enum* p, [[maybe_unused]] Enum expected,

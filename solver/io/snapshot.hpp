@@ -50,6 +50,8 @@ struct FluidBalance {
   double outflow = 0;  ///< that left since t = 0 [kg]
   double error = 0;    ///< (mass + outflow - mass at t = 0) over mass at t = 0
   int iterations = 0;  ///< of the last step's solve for the pressure
+  /// Of `outflow`, what left through each drained surface [kg], in the deck's order.
+  std::vector<double> surfaces;
 };
 
 /// One row of history.csv. Momenta are those of the particles, the angular one with the affine
@@ -68,6 +70,10 @@ struct HistoryRow {
   double max_speed = 0;                    ///< m/s
   /// force (N) and torque (N m) on each collider, in the deck's order
   std::vector<std::array<double, 6>> collider_force_torque;
+  /// Work that each collider has done on the particles since t = 0 [J].
+  std::vector<double> collider_work;
+  /// With tractions or body forces: the work that they have done since t = 0 [J].
+  std::optional<double> external_work;
   std::optional<FluidBalance> fluid;  ///< with coupled pore water
 };
 

@@ -17,6 +17,7 @@ class TerrainShape final : public Shape {
   double signed_distance(const double x[3]) const override;
   void normal(const double x[3], double n[3]) const override;
   Box bounds() const override;
+  const HeightRaster& raster() const { return *raster_; }
 
  private:
   std::shared_ptr<const HeightRaster> raster_;

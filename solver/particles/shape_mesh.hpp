@@ -17,6 +17,7 @@ class MeshShape final : public Shape {
   void normal(const double x[3], double n[3]) const override { solid_->normal(x, n); }
   Box bounds() const override { return {solid_->lower(), solid_->upper()}; }
   bool costly() const override { return true; }
+  const MeshSolid& solid() const { return *solid_; }
 
  private:
   std::shared_ptr<const MeshSolid> solid_;

@@ -38,8 +38,11 @@ struct BackendConfig {
   TransferType transfer = TransferType::mls;
   bool fused = true;
   bool separate_force = false;  ///< forces are scattered to channel 1 (flip, local damping)
+  bool deterministic = false;   ///< device, split path: the same bits in every run
   GridDomain<D> domain;
   Faces<D> faces;
+  /// Aux field of the volume ratio that average_volumes() keeps; -1: it is not called.
+  int volume_ratio = -1;
   std::array<double, 3> lower{};  ///< domain's lower corner [m]
   double cell_size = 1;           ///< [m]
 };
@@ -105,6 +108,9 @@ class Backend {
   /// Momenta to velocities.
   virtual void update_grid(const GridForces& forces, std::vector<Collider>& colliders) = 0;
   virtual void g2p(const Parameters& parameters) = 0;
+  /// After g2p(): gives the stored dt grad v the mean change of volume of its surroundings, body by
+  /// body. Only with BackendConfig::volume_ratio, which a backend may refuse.
+  virtual void average_volumes(const Parameters&) {}
   virtual void stress(const Parameters& parameters) = 0;
   /// Velocities to particles and on to the momenta of the next step.
   virtual void g2p2g(const Parameters& parameters) = 0;

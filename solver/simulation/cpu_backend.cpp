@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "solver/grid/node_means.hpp"
 #include "solver/step/split_passes.hpp"
+#include "solver/step/volume_passes.hpp"
 
 namespace scree {
 
@@ -124,6 +126,21 @@ void CpuBackend<D, T>::g2p(const Parameters& parameters) {
   }
 }
 
+/// Each body by itself: a soft one beside a stiff one keeps its own changes of volume.
+template <int D, class T>
+void CpuBackend<D, T>::average_volumes(const Parameters& parameters) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    grid_.clear(volumes_, executor_.pool());
+    PassData<D, T> data = pass_data(i, parameters[i]);
+    data.read[0] = data.write[0] = volumes_.data();
+    for (const auto& colour : blocks_[i].colours) {
+      run_volume_scatter(config_.kernel, executor_, data, config_.volume_ratio, colour);
+    }
+    form_node_means(grid_, grid_update_.pairs(), volumes_, executor_.pool());
+    run_volume_gather(config_.kernel, executor_, data, config_.volume_ratio, blocks_[i].all);
+  }
+}
+
 template <int D, class T>
 void CpuBackend<D, T>::stress(const Parameters& parameters) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -194,7 +211,8 @@ void CpuBackend<D, T>::set_momenta(const std::vector<T>& values) {
 
 template <int D, class T>
 std::int64_t CpuBackend<D, T>::grid_bytes() const {
-  const std::size_t values = current_.capacity() + next_.capacity() + extra_.capacity();
+  const std::size_t values =
+      current_.capacity() + next_.capacity() + extra_.capacity() + volumes_.capacity();
   return std::int64_t(values * sizeof(T)) +
          std::int64_t(grid_.topology().size()) * (8 + 4 * neighbour_count<D>);
 }

@@ -32,6 +32,7 @@ class CpuBackend final : public Backend<D, T> {
   void p2g(const Parameters& parameters) override;
   void update_grid(const GridForces& forces, std::vector<Collider>& colliders) override;
   void g2p(const Parameters& parameters) override;
+  void average_volumes(const Parameters& parameters) override;
   void stress(const Parameters& parameters) override;
   void g2p2g(const Parameters& parameters) override;
   PassReport<D> report() override;
@@ -69,6 +70,7 @@ class CpuBackend final : public Backend<D, T> {
   AlignedVector<T> current_;  ///< momenta, after update_grid() velocities
   AlignedVector<T> next_;     ///< fused: the grid scattered to
   AlignedVector<T> extra_;    ///< channel 1: impulses, then velocity changes
+  AlignedVector<T> volumes_;  ///< average_volumes(): {V j, 0, 0, V}, then {mean of j, 0, 0, V}
   std::vector<Blocks> blocks_;
   double grid_mass_ = 0;
 };

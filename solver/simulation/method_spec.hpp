@@ -5,6 +5,7 @@
 
 #include "solver/base/schema.hpp"
 #include "solver/simulation/method.hpp"
+#include "solver/simulation/volumetric_locking.hpp"
 
 namespace scree {
 
@@ -23,7 +24,9 @@ struct MethodSpec {
   std::array<Formula, 3>
       body_force{};  ///< m/s^2, of X, Y, Z (reference), x, y, z, t; not given: none
   DampingSpec damping;
-  double flip_blend = 0.95;  ///< flip only: share of the increment, the rest is pic
+  VolumetricLocking volumetric_locking = VolumetricLocking::none;
+  double flip_blend = 0.95;    ///< flip only: share of the increment, the rest is pic
+  bool deterministic = false;  ///< the same bits in every run, on a GPU too
 };
 
 const Schema<DampingSpec>& damping_schema();

@@ -21,6 +21,7 @@
 #include "solver/simulation/method.hpp"
 #include "solver/simulation/schedule.hpp"
 #include "solver/simulation/step_limit.hpp"
+#include "solver/simulation/volumetric_locking.hpp"
 
 namespace scree {
 
@@ -64,6 +65,10 @@ struct SimulationSetup {
   TransferType transfer = TransferType::mls;
   PathType path = PathType::automatic;
   double flip_blend = 1;
+  VolumetricLocking volumetric_locking = VolumetricLocking::none;  ///< fbar takes the split path
+  /// Runs on a device give the same bits every time; they take the split path. (Those on the
+  /// processor always do.)
+  bool deterministic = false;
   double cfl = 0.4;
   std::optional<double> step;  ///< fixed step [s]; still shortened to hit events
   std::function<std::array<double, 3>(double t)> gravity;  ///< [m/s^2]; empty = none
@@ -128,6 +133,7 @@ class Simulation {
   virtual std::int64_t removed_count() const = 0;  ///< particles that left through open faces
   virtual bool fused() const = 0;
   virtual bool coupled() const { return false; }  ///< with pore water that flows
+  virtual bool loaded() const { return false; }   ///< with tractions or body forces
 
   // Valid when the schedule says that history or a frame is due at time().
   virtual HistoryRow history() const = 0;

@@ -14,6 +14,7 @@ void SimulationImpl<D, T>::make_flow() {
   if (backend_->updated_grid().velocities == nullptr) {
     throw UserError("coupling is computed by the processor; use the backend cpu");
   }
+  if (averages()) throw UserError("volumetric_locking does not go with coupling");
   FlowDomain<D> domain;
   domain.kernel = setup_.kernel;
   domain.transfer = setup_.transfer;

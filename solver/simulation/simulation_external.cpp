@@ -16,6 +16,50 @@ std::array<double, 3> SimulationImpl<D, T>::position_of(std::uint64_t key, const
   return x;
 }
 
+/// Power of the last step's loads at the particles' present velocities [W]. The aux fields of the
+/// bodies' stores must be up to date.
+template <int D, class T>
+double SimulationImpl<D, T>::external_power() const {
+  constexpr int width = ParticleStore<D, T>::width;
+  double power = 0;
+  for (const State& state : bodies_) {
+    const ParticleStore<D, T>& store = state.body->store();
+    double sum = 0;
+    for (const auto& block : store.blocks()) {
+      for (int i = 0; i < block.count; ++i) {
+        const std::int32_t b = block.batches[std::size_t(i / width)];
+        const int lane = i % width;
+        if (store.ids(b)[lane] < 0) continue;  // left through an open face
+        const T* aux = store.aux_batch(b);
+        for (int a = 0; a < D; ++a) {
+          sum += double(aux[(layout_.external + a) * width + lane]) *
+                 double(aux[(layout_.velocity + a) * width + lane]);
+        }
+      }
+    }
+    power += sum * state.body->info().particle_mass();
+  }
+  return power;
+}
+
+/// Work of the loads on particles up to time() [J]. A load is constant over a step and changes the
+/// velocity linearly, so that the mean of its powers at both ends of the step is exact.
+template <int D, class T>
+double SimulationImpl<D, T>::external_work(double power_at_end) const {
+  return external_work_ + 0.5 * clock_.last_dt * (external_power_ + power_at_end);
+}
+
+/// Work of the colliders in this step: the forces on them are the opposite of those on the
+/// particles.
+template <int D, class T>
+void SimulationImpl<D, T>::note_collider_work() {
+  const std::vector<Reaction>& reactions = backend_->reactions();
+  for (std::size_t c = 0; c < reactions.size(); ++c) {
+    for (int a = 0; a < D; ++a)
+      collider_work_[c] -= clock_.dt * reactions[c].force[a] * colliders_[c].velocity()[a];
+  }
+}
+
 /// Evaluates body forces and tractions at the step's start, after following the deformation of the
 /// loaded particles over the last step.
 template <int D, class T>
@@ -24,6 +68,7 @@ void SimulationImpl<D, T>::update_external() {
   constexpr int width = ParticleStore<D, T>::width;
   const auto start = std::chrono::steady_clock::now();
   backend_->give_particles();
+  external_work_ = external_work(external_power());
   for (State& state : bodies_) {
     ParticleStore<D, T>& store = state.body->store();
     for (const auto& block : store.blocks()) {
@@ -47,6 +92,7 @@ void SimulationImpl<D, T>::update_external() {
       }
     }
   }
+  external_power_ = external_power();
   backend_->take_aux(layout_.external, D);
   time_phase(Phase::external, start);
 }

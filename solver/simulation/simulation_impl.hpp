@@ -39,6 +39,7 @@ class SimulationImpl final : public Simulation {
   std::int64_t removed_count() const override { return removed_; }
   bool fused() const override { return fused_; }
   bool coupled() const override { return flow_ != nullptr; }
+  bool loaded() const override { return external_ != nullptr; }
   StepLimit step_limit() const override;
   HistoryRow history() const override;
   using Simulation::particles;
@@ -57,9 +58,13 @@ class SimulationImpl final : public Simulation {
   using Parameters = std::vector<PassParameters<T>>;
 
   // simulation_setup.cpp
+  void check_path() const;
   GridDomain<D> make_domain() const;
   Faces<D> make_faces() const;
   AuxLayout make_layout() const;
+  bool averages() const { return setup_.volumetric_locking == VolumetricLocking::fbar; }
+  int volume_ratio_field() const { return averages() ? layout_.total - 1 : -1; }
+  void start_volume_ratios(State& state);
   std::unique_ptr<Backend<D, T>> make_backend();
   void add_body(const BodySetup& setup, std::int32_t index);
   void place_particles(const BodySetup& setup, State& state);
@@ -74,7 +79,11 @@ class SimulationImpl final : public Simulation {
   GridForces grid_forces() const;
   void update_grid();
   void scatter_all(double dt);
+  void average_volumes(const Parameters& pass);
   void update_external();
+  double external_power() const;
+  double external_work(double power_at_end) const;
+  void note_collider_work();
   void finish_step();
   PassParameters<T> pass_parameters(const State& state, double dt, double dt_next) const;
   Parameters parameters(double dt, double dt_next) const;
@@ -131,6 +140,9 @@ class SimulationImpl final : public Simulation {
   std::unique_ptr<Backend<D, T>> backend_;  ///< refers to bodies_ and executor_
   std::vector<Collider> colliders_;
   std::unique_ptr<ExternalForce> external_;
+  double external_work_ = 0;   ///< of the loads on particles up to the last step's start [J]
+  double external_power_ = 0;  ///< of the same loads at that start [W]
+  std::vector<double> collider_work_;     ///< done on the particles since t = 0 [J]
   std::unique_ptr<CoupledFlow<D>> flow_;  ///< pore water, where there is any
   std::vector<double> reference_;         ///< X by particle id, 3 each [m]
   StepClock clock_;

@@ -104,6 +104,8 @@ HistoryRow SimulationImpl<D, T>::history() const {
     row.collider_force_torque.push_back(
         {r.force[0], r.force[1], r.force[2], r.torque[0], r.torque[1], r.torque[2]});
   }
+  row.collider_work = collider_work_;
+  if (external_) row.external_work = external_work(external_power());
   return row;
 }
 

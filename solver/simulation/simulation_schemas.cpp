@@ -152,6 +152,23 @@ std::optional<Finding> singular_transfer(const MethodSpec& method, const SchemaC
                  "compact, quadratic", "or set transfer = \"flip\" or \"pic\""};
 }
 
+void add_choices(Schema<MethodSpec>& s) {
+  s.choice("volumetric_locking", &MethodSpec::volumetric_locking,
+           {{"none", VolumetricLocking::none}, {"fbar", VolumetricLocking::fbar}})
+      .fallback(VolumetricLocking::none)
+      .doc(
+          "fbar: laws see changes of volume averaged over the nodes around a particle, so that "
+          "nearly incompressible materials (plastic flow without change of volume, undrained clay, "
+          "Poisson's ratio near 0.5) flow under their own load, not a multiple of it. Computed by "
+          "the processor, in separate passes; not with [coupling].");
+  s.flag("deterministic", &MethodSpec::deterministic)
+      .fallback(false)
+      .doc(
+          "The same bits in every run on a GPU, too, where sums are then in fixed point and the "
+          "step "
+          "is split in two passes, which is slower. Runs on the processor always are.");
+}
+
 Schema<MethodSpec> make_method_schema() {
   Schema<MethodSpec> s("method", "The numerical method and what acts on everything.");
   s.choice("kernel", &MethodSpec::kernel,
@@ -179,6 +196,7 @@ Schema<MethodSpec> make_method_schema() {
       .when("transfer", {"flip"})
       .fallback(0.95)
       .doc("Share of flip; the rest is pic.");
+  add_choices(s);
   add_loads(s);
   s.check({"kernel", "transfer"}, singular_transfer);
   s.cite(

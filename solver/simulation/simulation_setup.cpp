@@ -17,7 +17,7 @@ int lattices_of(KernelType kernel) { return kernel == KernelType::compact ? 2 : 
 bool can_fuse(const SimulationSetup& setup) {
   return setup.transfer == TransferType::mls && setup.kernel != KernelType::linear &&
          setup.damping != DampingType::local && !setup.body_force && setup.tractions.empty() &&
-         !setup.coupling;
+         !setup.coupling && setup.volumetric_locking == VolumetricLocking::none;
 }
 
 bool needs_separate_force(const SimulationSetup& setup) {
@@ -75,19 +75,17 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
                                      std::shared_ptr<const DeviceToolkit> device)
     : setup_(std::move(setup)),
       device_(std::move(device)),
-      fused_(setup_.path == PathType::automatic ? can_fuse(setup_)
-                                                : setup_.path == PathType::fused),
+      fused_(setup_.path == PathType::automatic
+                 ? can_fuse(setup_) && !(device_ && setup_.deterministic)
+                 : setup_.path == PathType::fused),
       separate_(needs_separate_force(setup_)),
       layout_(make_layout()),
       executor_(setup_.threads),
       domain_(make_domain()) {
-  if (fused_ && !can_fuse(setup_)) {
-    throw UserError(
-        "the fused path needs transfer mls with the compact or quadratic kernel, without "
-        "local damping, tractions, body forces and coupling");
-  }
+  check_path();
   for (const ColliderSpec& spec : setup_.colliders)
     colliders_.emplace_back(spec, D, setup_.cell_size);
+  collider_work_.assign(colliders_.size(), 0);
   std::vector<std::int64_t> first_id;
   std::vector<double> mass;
   for (std::size_t b = 0; b < setup_.bodies.size(); ++b) {
@@ -110,6 +108,22 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
     body = std::move(rest);
   }
   first_step();
+}
+
+/// What the deck's checks leave to this: paths and devices are no keys of it.
+template <int D, class T>
+void SimulationImpl<D, T>::check_path() const {
+  if (fused_ && !can_fuse(setup_)) {
+    throw UserError(
+        "the fused path needs transfer mls with the compact or quadratic kernel, without "
+        "local damping, tractions, body forces, coupling and volumetric_locking");
+  }
+  if (averages() && device_) {
+    throw UserError("volumetric_locking is computed by the processor; use the backend cpu");
+  }
+  if (fused_ && device_ && setup_.deterministic) {
+    throw UserError("deterministic runs on a device take the split path");
+  }
 }
 
 template <int D, class T>
@@ -145,6 +159,8 @@ std::unique_ptr<Backend<D, T>> SimulationImpl<D, T>::make_backend() {
   config.transfer = setup_.transfer;
   config.fused = fused_;
   config.separate_force = separate_;
+  config.volume_ratio = volume_ratio_field();
+  config.deterministic = setup_.deterministic;
   config.domain = domain_;
   config.faces = make_faces();
   config.lower = setup_.lower;
@@ -170,6 +186,7 @@ AuxLayout SimulationImpl<D, T>::make_layout() const {
     layout.external = layout.total;
     layout.total += D;
   }
+  if (averages()) ++layout.total;  // the volume ratio, last
   return layout;
 }
 
@@ -189,6 +206,7 @@ void SimulationImpl<D, T>::add_body(const BodySetup& setup, std::int32_t index) 
   state.body = make_body<D, T>(info, setup.input);
   state.body->store().resize_aux(layout_.total);
   place_particles(setup, state);
+  if (averages()) start_volume_ratios(state);
   bounds_.max_signal =
       std::max(bounds_.max_signal, state.body->initial_signal_speed(setup_.cell_size));
   if (setup_.keep_reference) {
@@ -223,6 +241,24 @@ void SimulationImpl<D, T>::place_particles(const BodySetup& setup, State& state)
     set_motion(setup, p, local, slot, store);
   }
   store.finish_blocks();
+}
+
+/// What the law's state says at t = 0; average_volumes() goes on from there.
+template <int D, class T>
+void SimulationImpl<D, T>::start_volume_ratios(State& state) {
+  constexpr int width = ParticleStore<D, T>::width;
+  ParticleStore<D, T>& store = state.body->store();
+  for (const auto& block : store.blocks()) {
+    for (std::size_t k = 0; k < block.batches.size(); ++k) {
+      const std::int32_t batch = block.batches[k];
+      const int active = std::min(width, block.count - int(k) * width);
+      double ratio[width], energy[width];
+      state.body->evaluate(store.batch(batch), active, ratio, energy);
+      for (int l = 0; l < active; ++l) {
+        store.aux_value(std::int64_t(batch) * width + l, volume_ratio_field()) = T(ratio[l]);
+      }
+    }
+  }
 }
 
 /// Velocity and affine matrix of particle p, at `local` [cells from its block's corner].

@@ -95,6 +95,8 @@ void SimulationImpl<D, T>::save(StateWriter& writer) const {
     writer.put("grid/momentum", std::span<const T>(momenta.data(), momenta.size()));
   }
   for (const Collider& collider : colliders_) collider.save(writer);
+  writer.put("work/colliders", collider_work_);
+  writer.put("work/loads", std::vector<double>{external_work_, external_power_});
   if (external_) external_->save(writer);
   if (flow_) flow_->save(writer);
 }
@@ -130,6 +132,10 @@ void SimulationImpl<D, T>::load(const StateReader& reader) {
     backend_->set_momenta(momentum);
   }
   for (Collider& collider : colliders_) collider.load(reader);
+  collider_work_ = reader.get<double>("work/colliders");
+  const auto loads = reader.get<double>("work/loads");
+  external_work_ = loads.at(0);
+  external_power_ = loads.at(1);
   if (external_) external_->load(reader);
   if (flow_) flow_->load(reader);
 }

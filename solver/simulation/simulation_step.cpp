@@ -20,6 +20,7 @@ void SimulationImpl<D, T>::step() {
   } else {
     step_split();
   }
+  note_collider_work();
   for (Collider& collider : colliders_) collider.advance(clock_.dt);
   finish_step();
 }
@@ -54,12 +55,23 @@ void SimulationImpl<D, T>::step_split() {
   const PassReport<D> motion = backend_->report();
   time_phase(Phase::particles, start);
   read_motion(motion);
+  average_volumes(pass);
   start = Clock::now();
   backend_->stress(pass);
   const PassReport<D> signals = backend_->report();
   time_phase(Phase::stress, start);
   read_signals(signals);
   recorded_ = true;
+}
+
+/// Between the particles' motion and their laws (volumetric_locking).
+template <int D, class T>
+void SimulationImpl<D, T>::average_volumes(const Parameters& pass) {
+  if (!averages()) return;
+  const auto start = Clock::now();
+  backend_->average_volumes(pass);
+  check_fault(backend_->report().fault);
+  time_phase(Phase::particles, start);
 }
 
 /// Stress of the initial state, first step, first scatter.

@@ -28,6 +28,18 @@ __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
   group.finish();
 }
 
+/// The same with sums in fixed point.
+template <class Kernel, class Transfer, int D, class T>
+__global__ void __launch_bounds__(block_threads, blocks_per_processor<double>)
+    p2g_fixed(const __grid_constant__ PassData<D, T> data,
+              const __grid_constant__ FixedChannels channels) {
+  using Group = CudaGroup<D, T, Kernel, 0, 2, FixedSums>;
+  SCREE_SHARED(typename Group::Arena, arena);
+  Group group(data, arena.value, int(blockIdx.x), FixedSums<D, T>(channels));
+  p2g_block<Kernel, Transfer>(group, data);
+  group.finish();
+}
+
 template <class Kernel, class Transfer, int D, class T>
 __global__ void __launch_bounds__(block_threads, blocks_per_processor<T>)
     g2p(const __grid_constant__ PassData<D, T> data) {

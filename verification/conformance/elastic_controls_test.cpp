@@ -21,7 +21,7 @@ struct SwappedLameConstants : FixedCorotated {
   template <class T>
   static Params<T> params(const Input& in, double density, int dimension) {
     const Params<T> p = FixedCorotated::params<T>(in, density, dimension);
-    return {p.mu, p.lambda, p.density};
+    return {p.mu, p.lambda, p.inverse_density};
   }
 };
 

@@ -138,6 +138,55 @@ TEST(DeviceRuns, restart_is_bitwise) {
   EXPECT_TRUE(a == b);
 }
 
+MemoryArchive end_in_order(const SimulationSetup& setup, emulation::Order order) {
+  emulation::set_order(order);
+  const auto simulation = emulate(setup);
+  run(*simulation, setup.schedule);
+  emulation::set_order(emulation::Order::forward);
+  MemoryArchive archive;
+  simulation->save(archive);
+  return archive;
+}
+
+/// Whatever the order of the threads is, and only where that was asked for.
+TEST(DeviceRuns, deterministic_ones_have_the_same_bits) {
+  for (const TransferType transfer : {TransferType::mls, TransferType::flip}) {
+    SimulationSetup setup = two_spheres(2);
+    setup.transfer = transfer;
+    for (const bool deterministic : {true, false}) {
+      setup.deterministic = deterministic;
+      const MemoryArchive forward = end_in_order(setup, emulation::Order::forward);
+      EXPECT_EQ(forward == end_in_order(setup, emulation::Order::backward), deterministic);
+    }
+  }
+}
+
+TEST(DeviceRuns, deterministic_ones_are_those_of_the_processor) {
+  SimulationSetup column = sand_column();
+  column.deterministic = true;
+  expect_same_run(column, drift);
+  SimulationSetup spheres = two_spheres(2);
+  spheres.deterministic = true;
+  spheres.damping = DampingType::local;
+  spheres.damping_value = 0.1;
+  expect_same_run(spheres, drift);
+}
+
+/// Momenta that fixed point cannot hold end in a fault, not in wrong numbers.
+TEST(DeviceRuns, momenta_beyond_fixed_point_are_a_fault) {
+  SimulationSetup setup = two_spheres(2);
+  setup.deterministic = true;
+  setup.step = 1e-4;
+  set_velocity(setup.bodies[0], Vector(1e4 * 0.1 / 1e-4, 0, 0));
+  std::string sentence;
+  try {
+    emulate(setup)->step();
+  } catch (const RunFault& fault) {
+    sentence = fault.what();
+  }
+  EXPECT_NE(sentence.find("finite"), std::string::npos) << sentence;  // not "moved too far"
+}
+
 /// Both say the same sentence. One particle, so that which of several is named is no question.
 TEST(DeviceRuns, faults_are_reported_with_particle_and_place) {
   SimulationSetup setup = make_setup(2, {}, 0.1, {8, 8, 1});
@@ -162,6 +211,7 @@ TEST(DeviceRuns, memory_is_told_before_it_is_taken) {
   for (const PathType path : {PathType::fused, PathType::split}) {
     SimulationSetup setup = two_spheres(2);
     setup.path = path;
+    setup.schedule = Schedule(0.03, 0.03, 0, 0);  // long enough for a first sorting of particles
     MemoryNeed told;
     const auto simulation = create_on_device(
         setup, emulated::make_toolkit([&](const MemoryNeed& need) { told = need; }));

@@ -45,10 +45,11 @@ std::string head_html(const ReportHead& head, const std::vector<CaseResult>& res
   text += fmt::format("<p>{} of {} cases passed: {} checks on {} runs, {} variant.</p>\n",
                       results.size() - failed, results.size(), checks, runs, head.variant);
   text += fmt::format(
-      "<p class=\"quiet\">scree {}{}, {}, {}; {}; {} thread{}, {:.0f} s; {}</p>\n",
+      "<p class=\"quiet\">scree {}{}, {}, {}; {}; {}, {} thread{}, {:.0f} s; {}</p>\n",
       xml_text(head.version), head.commit.empty() ? "" : " (" + xml_text(head.commit) + ")",
-      xml_text(head.compiler), xml_text(head.instruction_set), xml_text(head.cpu), head.threads,
-      head.threads == 1 ? "" : "s", head.seconds, xml_text(head.date));
+      xml_text(head.compiler), xml_text(head.instruction_set), xml_text(head.cpu),
+      xml_text(head.backend), head.threads, head.threads == 1 ? "" : "s", head.seconds,
+      xml_text(head.date));
   return text;
 }
 

@@ -97,6 +97,7 @@ std::string report_json(const ReportHead& head, const std::vector<CaseResult>& r
                   {"cpu", head.cpu},
                   {"variant", head.variant},
                   {"date", head.date},
+                  {"backend", head.backend},
                   {"threads", head.threads},
                   {"seconds", number(head.seconds)},
                   {"verdict", passed ? "passed" : "failed"},

@@ -14,7 +14,8 @@ struct ReportHead {
   std::string variant;  ///< ci or full
   std::string date;     ///< of the end, ISO 8601, UTC
   int threads = 1;
-  double seconds = 0;  ///< wall time of everything
+  double seconds = 0;           ///< wall time of everything
+  std::string backend = "cpu";  ///< as backend_text() says it
 };
 
 /// results.json: all runs, quantities, checks and verdicts.

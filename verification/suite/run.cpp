@@ -7,7 +7,7 @@
 
 #include "app/build_simulation.hpp"
 #include "solver/base/error.hpp"
-#include "solver/simulation/simulation.hpp"
+#include "solver/simulation/simulation_on_device.hpp"
 
 namespace scree::verify {
 namespace {
@@ -50,10 +50,11 @@ class Collector {
   std::optional<double> row_, frame_;
 };
 
-void execute_particles(Run& run, const std::function<bool()>& stop) {
+void execute_particles(Run& run, const std::shared_ptr<const DeviceToolkit>& device,
+                       const std::function<bool()>& stop) {
   SimulationSetup setup = build_setup(run.deck);
   const Schedule schedule = setup.schedule;
-  const auto simulation = Simulation::create(std::move(setup));
+  const auto simulation = create_on_device(std::move(setup), device);
   run.particles = simulation->particle_count();
   Collector collector(run, schedule);
   collector.take(*simulation);
@@ -90,7 +91,8 @@ ParticleFrame Run::frame(int index) const {
   return {frames[static_cast<std::size_t>(row)], frames.front()};
 }
 
-void execute(Run& run, const Value& document, const std::string& source, Problems& problems,
+void execute(Run& run, const Value& document, const std::string& source,
+             const std::shared_ptr<const DeviceToolkit>& device, Problems& problems,
              const std::function<bool()>& stop) {
   const double start = core_seconds();
   const bool element = document.find("path") != nullptr;
@@ -104,7 +106,7 @@ void execute(Run& run, const Value& document, const std::string& source, Problem
     if (element) {
       run.element = drive_element(*run.element_deck);
     } else {
-      execute_particles(run, stop);
+      execute_particles(run, device, stop);
     }
   } catch (const RunFault& fault) {
     run.fault = fault.what();

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@
 #include "solver/element/element_test.hpp"
 #include "solver/io/snapshot.hpp"
 #include "verification/suite/parameters.hpp"
+
+namespace scree {
+class DeviceToolkit;
+}
 
 namespace scree::verify {
 
@@ -80,9 +85,11 @@ struct Run {
 };
 
 /// Runs a deck in this thread: an ordinary one, or an element deck. `document` has no braces left.
+/// device: where particles are computed, null: on the processor.
 /// A RunFault ends the run early and becomes `fault`. Mistakes of the deck go to `problems`.
 /// `stop` is asked between steps; when it says yes, the run ends with a fault.
-void execute(Run& run, const Value& document, const std::string& source, Problems& problems,
+void execute(Run& run, const Value& document, const std::string& source,
+             const std::shared_ptr<const DeviceToolkit>& device, Problems& problems,
              const std::function<bool()>& stop);
 
 }  // namespace scree::verify

@@ -37,9 +37,9 @@ struct Job {
 
 class Runner {
  public:
-  Runner(const std::vector<PlannedCase>& cases, const std::function<bool()>& stop,
-         const CaseDone& done)
-      : stop_(stop), done_(done) {
+  Runner(const std::vector<PlannedCase>& cases, std::shared_ptr<const DeviceToolkit> device,
+         const std::function<bool()>& stop, const CaseDone& done)
+      : device_(std::move(device)), stop_(stop), done_(done) {
     for (const PlannedCase& planned : cases) {
       CaseWork& work = works_.emplace_back();
       work.planned = &planned;
@@ -110,7 +110,7 @@ class Runner {
     run->label = result.plan.label;
     run->value = result.plan.value;
     run->size = result.plan.size;
-    if (problems.empty()) execute(*run, deck, path_of(code, "case.toml"), problems, stop_);
+    if (problems.empty()) execute(*run, deck, path_of(code, "case.toml"), device_, problems, stop_);
     if (!problems.empty()) refuse(problems);
     if (stop_()) throw RunFault("stopped by a signal; nothing was written");
     result.deck = "# " + code.name + ": " + result.plan.label + "\n" + document_toml(deck);
@@ -143,6 +143,7 @@ class Runner {
     done_(work.result, finished_, static_cast<int>(jobs_.size()));
   }
 
+  std::shared_ptr<const DeviceToolkit> device_;
   const std::function<bool()>& stop_;
   const CaseDone& done_;
   std::vector<CaseWork> works_;
@@ -184,9 +185,22 @@ std::string missing_law(const PlannedCase& planned) {
   return {};
 }
 
+std::string processor_only(const PlannedCase& planned) {
+  for (const RunPlan& plan : planned.sweep.runs) {
+    Problems ignored;
+    const Value deck = deck_of(planned.document, plan.parameters, ignored);
+    if (deck.find("coupling") != nullptr) return "coupling";
+    const Value* const method = deck.find("method");
+    const Value* const locking = method == nullptr ? nullptr : method->find("volumetric_locking");
+    if (locking != nullptr && locking->text == "fbar") return "volumetric_locking";
+  }
+  return {};
+}
+
 std::vector<CaseResult> run_cases(const std::vector<PlannedCase>& cases, int threads,
+                                  const std::shared_ptr<const DeviceToolkit>& device,
                                   const std::function<bool()>& stop, const CaseDone& done) {
-  Runner runner(cases, stop, done);
+  Runner runner(cases, device, stop, done);
   runner.run(threads);
   return runner.take();
 }

@@ -25,12 +25,17 @@ PlannedCase plan_case(const CaseCode& code, bool full);
 /// The name of a material law that the case needs and this build lacks (SCREE_MATERIALS), or "".
 std::string missing_law(const PlannedCase& planned);
 
+/// What in a run of the case only the processor computes, or "".
+std::string processor_only(const PlannedCase& planned);
+
 /// Called when a case is finished, from one thread at a time; `done` and `all` count runs.
 using CaseDone = std::function<void(const CaseResult& result, int done, int all)>;
 
 /// Runs the cases, `threads` runs at a time, each in one thread; long ones first. The results do
-/// not depend on the number of threads. Throws RunFault when a signal stops it.
+/// not depend on the number of threads. device: where they run, null: on the processor. Throws
+/// RunFault when a signal stops it.
 std::vector<CaseResult> run_cases(const std::vector<PlannedCase>& cases, int threads,
+                                  const std::shared_ptr<const DeviceToolkit>& device,
                                   const std::function<bool()>& stop, const CaseDone& done);
 
 /// A document as TOML, one line a key.

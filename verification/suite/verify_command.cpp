@@ -7,6 +7,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "app/backend_choice.hpp"
 #include "app/machine_info.hpp"
 #include "app/signals.hpp"
 #include "generated/build_info.hpp"
@@ -21,7 +22,7 @@ namespace scree::verify {
 namespace {
 
 /// The cases of these names, each once, in the order of the list.
-std::vector<PlannedCase> chosen_cases(const VerifyOptions& options) {
+std::vector<PlannedCase> chosen_cases(const VerifyOptions& options, bool on_device) {
   std::vector<std::string> names, faults;
   for (const CaseCode& code : all_cases()) names.push_back(code.name);
   for (const std::string& wanted : options.cases) {
@@ -46,6 +47,12 @@ std::vector<PlannedCase> chosen_cases(const VerifyOptions& options) {
       fmt::print("{}: left out of this build, which lacks {}\n", planned.code->name, law);
     return !law.empty();
   });
+  std::erase_if(cases, [&](const PlannedCase& planned) {
+    const std::string reason = on_device ? processor_only(planned) : "";
+    if (!reason.empty())
+      fmt::print("{}: left out, for {} is computed by the processor\n", planned.code->name, reason);
+    return !reason.empty();
+  });
   if (cases.empty()) return cases;
   // A case may have runs in the full variant only.
   std::erase_if(cases, [](const PlannedCase& planned) { return planned.sweep.runs.empty(); });
@@ -62,7 +69,8 @@ std::string now() {
   return text;
 }
 
-ReportHead head_of(const VerifyOptions& options, int threads, double seconds) {
+ReportHead head_of(const VerifyOptions& options, const std::string& backend, int threads,
+                   double seconds) {
   const MachineInfo machine = machine_info();
   return {build_info::version,
           build_info::commit,
@@ -72,7 +80,8 @@ ReportHead head_of(const VerifyOptions& options, int threads, double seconds) {
           options.full ? "full" : "ci",
           now(),
           threads,
-          seconds};
+          seconds,
+          backend};
 }
 
 void print_progress(const CaseResult& result, int done, int all) {
@@ -100,17 +109,21 @@ int verify_command(const VerifyOptions& options) {
     fmt::print("{}", list_text(all_cases()));
     return 0;
   }
-  const std::vector<PlannedCase> cases = chosen_cases(options);
+  const BackendChoice backend = choose_backend(options.backend);
+  const bool on_device = backend.device != nullptr;
+  if (options.backend != "cpu") fmt::print("backend: {}\n", backend_text(backend));
+  const std::vector<PlannedCase> cases = chosen_cases(options, on_device);
   if (cases.empty()) return 0;
   const std::string standard = options.full ? "runs/verify-full" : "runs/verify";
   ReportFolder folder(options.output.empty() ? standard : options.output);
-  const int threads = thread_count(options.threads);
+  const int threads = on_device && options.threads == 0 ? 1 : thread_count(options.threads);
   const StopSignals signals;
   const auto start = std::chrono::steady_clock::now();
   std::vector<CaseResult> results;
   try {
     results = run_cases(
-        cases, threads, [] { return StopSignals::received() != 0; }, print_progress);
+        cases, threads, backend.device, [] { return StopSignals::received() != 0; },
+        print_progress);
   } catch (const RunFault&) {
     if (StopSignals::received() == 0) throw;
     fmt::print(stderr, "scree: stopped by a signal; no report was written\n");
@@ -118,7 +131,7 @@ int verify_command(const VerifyOptions& options) {
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const ReportHead head = head_of(options, threads, seconds);
+  const ReportHead head = head_of(options, backend_text(backend), threads, seconds);
   folder.write(report_html(head, results), report_json(head, results), results);
   print_summary(results, seconds, folder);
   const bool passed = std::all_of(results.begin(), results.end(),

@@ -44,6 +44,17 @@ TEST_F(BackendChoiceTest, CudaIsRefusedWithTheReason) {
   }
 }
 
+TEST(BackendOfTheProcessorAlone, CudaIsRefusedWithTheKeyInTheWay) {
+  EXPECT_EQ(choose_backend("auto", {}, "[coupling]").device, nullptr);
+  try {
+    choose_backend("cuda", {}, "[coupling]");
+    FAIL() << "no error";
+  } catch (const UserError& error) {
+    EXPECT_STREQ(error.what(),
+                 "--backend cuda: [coupling] is computed by the processor; use --backend cpu");
+  }
+}
+
 TEST(MemoryNeedText, GivesBytesAParticleAndBothTotals) {
   EXPECT_EQ(memory_need_text({1'000'000, 312'000'000, 84'900'000'000}),
             "GPU memory: 312 bytes a particle, at least 0.31 of 84.90 GB free");

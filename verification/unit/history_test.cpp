@@ -49,25 +49,60 @@ std::vector<double> numbers_of(const std::string& line) {
 
 TEST(History, ColumnsAreThoseOfTheContract) {
   const TemporaryFolder folder;
-  HistoryWriter::create(folder / "history.csv", {"plate"});
+  HistoryWriter::create(folder / "history.csv", {{"plate"}});
   EXPECT_EQ(read_text(folder / "history.csv"),
             "step,time,dt,particle_count,mass,momentum_x,momentum_y,momentum_z,"
             "angular_momentum_x,angular_momentum_y,angular_momentum_z,center_x,center_y,center_z,"
             "kinetic_energy,elastic_energy,max_speed,"
             "plate_force_x,plate_force_y,plate_force_z,"
-            "plate_torque_x,plate_torque_y,plate_torque_z\n");
+            "plate_torque_x,plate_torque_y,plate_torque_z,plate_work\n");
+}
+
+TEST(History, PoresAndLoadsAddTheirColumns) {
+  const std::vector<std::string> plain = history_columns({}),
+                                 full = history_columns({{}, DrainNames({"top"}), true});
+  const std::vector<std::string> more(full.begin() + std::ptrdiff_t(plain.size()), full.end());
+  const std::vector<std::string> expected{"fluid_mass",          "fluid_outflow",
+                                          "fluid_balance_error", "pressure_iterations",
+                                          "fluid_outflow_top",   "external_work"};
+  EXPECT_EQ(more, expected);
+}
+
+TEST(History, WaterThatFlowsHasItsBalanceAndTheOutflowOfEachSurface) {
+  const TemporaryFolder folder;
+  HistoryRow row = sample_row(3);
+  row.fluid = FluidBalance{0.1, 0.3, 1.0 / 3.0, 7, {0.2, 0.1}};
+  row.collider_force_torque = {{1, 2, 3, 4, 5, 6}};
+  row.collider_work = {7};
+  HistoryWriter writer =
+      HistoryWriter::create(folder / "history.csv", {{"plate"}, DrainNames({"top", "fluid"})});
+  writer.add(row);
+  const auto lines = lines_of(read_text(folder / "history.csv"));
+  EXPECT_NE(
+      lines[0].find(",max_speed,fluid_mass,fluid_outflow,fluid_balance_error,"
+                    "pressure_iterations,fluid_outflow_top,fluid_outflow_fluid,plate_force_x"),
+      std::string::npos);
+  const std::vector<double> numbers = numbers_of(lines[1]);
+  const std::vector<double> expected = {0.1, 0.3, 1.0 / 3.0, 7, 0.2, 0.1, 1};
+  ASSERT_EQ(numbers.size(), 17 + 6 + 7u);
+  EXPECT_EQ(std::vector<double>(numbers.begin() + 17, numbers.begin() + 24), expected);
+  row.fluid->surfaces.pop_back();
+  EXPECT_THROW(writer.add(row), std::logic_error);
+  row.fluid.reset();
+  EXPECT_THROW(writer.add(row), std::logic_error);
 }
 
 TEST(History, NumbersComeBackExactly) {
   const TemporaryFolder folder;
   HistoryRow row = sample_row(3);
   row.collider_force_torque = {{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}};
-  HistoryWriter::create(folder / "history.csv", {"plate"}).add(row);
+  row.collider_work = {0.7};
+  HistoryWriter::create(folder / "history.csv", {{"plate"}}).add(row);
   const std::vector<double> numbers = numbers_of(lines_of(read_text(folder / "history.csv"))[1]);
   const std::vector<double> expected = {3,       3 * 0.1, 1.0 / 3.0, 5,         2.0 / 3.0, -1e-300,
                                         -2e-300, -3e-300, 1e300 / 3, 1e300 / 4, 1e300 / 5, 0,
                                         1 / 7.0, 2 / 7.0, 11,        12,        13,        0.1,
-                                        0.2,     0.3,     0.4,       0.5,       0.6};
+                                        0.2,     0.3,     0.4,       0.5,       0.6,       0.7};
   EXPECT_EQ(numbers, expected);  // exact: the file gives every double back
 }
 
@@ -99,7 +134,7 @@ TEST(History, ResumeCutsBackAndGoesOn) {
 
 TEST(History, ResumeRefusesOtherColumns) {
   const TemporaryFolder folder;
-  HistoryWriter::create(folder / "history.csv", {"plate"});
+  HistoryWriter::create(folder / "history.csv", {{"plate"}});
   EXPECT_THROW(HistoryWriter::resume(folder / "history.csv", {}, 0), RunFault);
   EXPECT_THROW(HistoryWriter::resume(folder / "none.csv", {}, 0), RunFault);
 }
