@@ -49,7 +49,7 @@ class PostColliders : public testing::Test {
 };
 
 TEST_F(PostColliders, TheyStandWhereTheirVelocityHasCarriedThem) {
-  const std::vector<RunCollider> colliders = run_colliders(Run(run_.path()), {0, 0.5, 1});
+  const std::vector<RunCollider> colliders = run_colliders(scree::Run(run_.path()), {0, 0.5, 1});
   ASSERT_EQ(colliders.size(), 2u);
   EXPECT_FALSE(colliders[0].moves());
   ASSERT_TRUE(colliders[1].moves());
