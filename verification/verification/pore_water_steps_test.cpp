@@ -161,9 +161,22 @@ TEST(PoreWaterSteps, SolveThatDoesNotConvergeEndsTheRun) {
       EXPECT_NE(text.find(part), std::string::npos) << text;
     }
   }
-  // PETSc's options are the process's: what comes after shall not find this one.
-  column.coupling.solver_options = "-scree_p_ksp_max_it 10000";
-  Simulation::create(column_setup(column))->step();
+}
+
+/// The load on the upper faces of particles on their lattice.
+TractionSetup strip_of(const std::vector<Vector>& points,
+                       const verify::cases::strip_load::Ground& ground, double between,
+                       double load) {
+  TractionSetup strip;
+  strip.spec.name = "strip";
+  strip.spec.pressure.text = std::to_string(load);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (points[p][1] < ground.height - between || points[p][0] > ground.strip) continue;
+    strip.patch.particle.push_back(std::int64_t(p));
+    strip.patch.area_vector.insert(strip.patch.area_vector.end(), {0, between, 0});
+    strip.patch.area.push_back(between);
+  }
+  return strip;
 }
 
 /// Undrained ground under a strip of load, particles off their lattice by 0.3 of their distance.
@@ -175,22 +188,13 @@ double roughness_over_exact(int spacing) {
   setup.faces[1][0] = FaceType::symmetry;
   const double between = cell / 3;
   auto points = lattice(Vector::Zero(), Vector(4, 3, 0), between, 2);
-  TractionSetup strip;
-  strip.spec.name = "strip";
-  strip.spec.pressure.text = std::to_string(load);
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p][1] < ground.height - between || points[p][0] > ground.strip) continue;
-    strip.patch.particle.push_back(std::int64_t(p));
-    strip.patch.area_vector.insert(strip.patch.area_vector.end(), {0, between, 0});
-    strip.patch.area.push_back(between);
-  }
+  setup.tractions.push_back(strip_of(points, ground, between, load));
   Random random(5);
   for (Vector& x : points) x += random.vector(0.3 * between, 2);
   BodySetup& body = add_jelly(setup, points, between, {young, poisson, density});
   body.pores.emplace();
   body.pores->porosity = 0.4;
   body.pores->fluid_modulus = 1e6 * young;
-  setup.tractions.push_back(strip);
   setup.coupling.emplace();
   setup.coupling->pressure_spacing = spacing;
   const double crossing = ground.width / std::sqrt(young / (2 * (1 + poisson)) / density);
