@@ -14,6 +14,7 @@
 #include "app/coupling_report.hpp"
 #include "app/deck_warnings.hpp"
 #include "app/machine_info.hpp"
+#include "app/sampler.hpp"
 #include "solver/base/error.hpp"
 #include "solver/deck/deck.hpp"
 #include "solver/particles/shape.hpp"
@@ -144,6 +145,7 @@ Prediction predict(const Deck& deck, int threads) {
   result.masses = masses_text(deck, setup);
   result.warnings = deck_warnings(deck, setup);
   const auto simulation = Simulation::create(std::move(setup));
+  check_probes(deck, simulation->particle_count());
   result.blocks = static_cast<std::size_t>(simulation->block_count());
   result.first_step = simulation->dt();
   result.bytes = static_cast<double>(simulation->memory().total());

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <optional>
 
+#include "solver/boundary/collider.hpp"
 #include "solver/particles/shape.hpp"
 #include "solver/particles/shape_volume.hpp"
+#include "solver/simulation/periods_of.hpp"
 
 namespace scree {
 namespace {
@@ -35,19 +37,30 @@ bool within(const Box& box, const double* x, int dimension) {
   return true;
 }
 
-/// Particles of a body inside a shape. Those within 1e-4 of a cell of its surface do not count:
+/// Particles of a body inside a solid. Those within 1e-4 of a cell of its surface do not count:
 /// bodies that share a face may have centres on it.
-std::int64_t count_inside(const BodySetup& body, const ShapeSpec& spec, const Deck& deck) {
-  const int dimension = deck.domain.dimension;
+template <class Solid>
+std::int64_t count_inside(const BodySetup& body, const Solid& solid, const Box& box,
+                          const Deck& deck) {
   const double margin = 1e-4 * deck.domain.cell_size;
-  const auto shape = make_shape(spec, dimension);
-  const Box box = shape->bounds();
   std::int64_t count = 0;
   for (std::size_t p = 0; p < body.position.size(); p += 3) {
     const double* x = &body.position[p];
-    if (within(box, x, dimension) && shape->signed_distance(x) < -margin) ++count;
+    if (within(box, x, deck.domain.dimension) && solid(x) < -margin) ++count;
   }
   return count;
+}
+
+std::int64_t count_inside(const BodySetup& body, const ShapeSpec& spec, const Deck& deck) {
+  const auto shape = make_shape(spec, deck.domain.dimension);
+  const auto solid = [&](const double* x) { return shape->signed_distance(x); };
+  return count_inside(body, solid, shape->bounds(), deck);
+}
+
+/// With the images of the collider beyond periodic faces.
+std::int64_t count_inside(const BodySetup& body, const Collider& collider, const Deck& deck) {
+  const auto solid = [&](const double* x) { return collider.distance(x); };
+  return count_inside(body, solid, collider.bounds(), deck);
 }
 
 std::string particles(std::int64_t count) {
@@ -74,12 +87,13 @@ void add_overlaps(const Deck& deck, const SimulationSetup& setup,
 
 void add_colliders(const Deck& deck, const SimulationSetup& setup,
                    std::vector<std::string>& warnings) {
-  for (const ColliderSpec& collider : deck.colliders) {
+  for (const ColliderSpec& spec : deck.colliders) {
+    const Collider collider(spec, setup.dimension, setup.cell_size, periods_of(setup));
     for (const BodySetup& body : setup.bodies) {
-      const std::int64_t count = count_inside(body, collider.shape, deck);
+      const std::int64_t count = count_inside(body, collider, deck);
       if (count == 0) continue;
-      warnings.push_back(fmt::format("the collider {} holds {} of the body {} at t = 0",
-                                     collider.name, particles(count), body.name));
+      warnings.push_back(fmt::format("the collider {} holds {} of the body {} at t = 0", spec.name,
+                                     particles(count), body.name));
     }
   }
 }

@@ -134,9 +134,9 @@ void RunFolder::check(const fs::path& path, FolderMode mode) {
   }
   if (mode == FolderMode::resume && !(exists && fs::exists(path / "checkpoint.h5"))) {
     throw UserError(fmt::format(
-        "{} holds no checkpoint.h5 to resume from; start without --resume (a deck asks for "
-        "checkpoints with [checkpoint] every = ...)",
-        path.string()));
+        "{} holds no checkpoint.h5 to resume from; start {} (a deck asks for checkpoints with "
+        "[checkpoint] every = ...)",
+        path.string(), holds_run(path) ? "anew with --overwrite" : "without --resume"));
   }
   if (!exists) return;
   check_writable(path);

@@ -7,8 +7,9 @@ import xml.etree.ElementTree as xml
 
 import vtk
 
-UNITS = {"velocity": "m/s", "displacement": "m", "stress": "Pa", "pressure": "Pa", "mass": "kg",
-         "volume": "m\u00b3", "position": "m"}
+UNITS = {"velocity": "m/s", "displacement": "m", "position": "m", "mass": "kg", "volume": "m\u00b3", "strain_rate": "1/s",
+         "seepage_velocity": "m/s", "lode_angle": "rad", "mobilised_friction": "rad",
+         **dict.fromkeys(("stress", "pressure", "effective_stress", "pore_pressure", "p", "q", "von_mises", "principal_stress"), "Pa")}
 NAMES = {"velocity": "speed"}  # what the magnitude of a vector is called
 
 

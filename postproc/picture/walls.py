@@ -8,8 +8,9 @@ import vtk
 from picture.run_files import Mistake
 
 STEEL = (0.55, 0.58, 0.62)
-EARTH = (0.66, 0.60, 0.52)
+EARTH = (0.74, 0.68, 0.60)
 EDGE = (0.25, 0.27, 0.30)
+COMBINED = ("union", "difference", "intersection")  # their surfaces follow a lattice, and so would their edges
 HOLDING = ("sticky", "slip", "separate", "friction")  # faces that are walls
 
 
@@ -75,7 +76,7 @@ def collider_actors(scene, deck, index, time, opacity):
     for place, data in collider_surfaces(index, time).items():
         if data.GetNumberOfPoints() == 0:
             continue
-        terrain = place < len(shapes) and shapes[place] == "heightmap"
+        terrain = shapes[place] == "heightmap"
         colour = EARTH if terrain else STEEL
         if scene.dimension == 2:
             yield from flat_actors(scene, data, colour, opacity)
@@ -89,10 +90,10 @@ def collider_actors(scene, deck, index, time, opacity):
         smooth.Update()
         actor = actor_of(smooth.GetOutput(), scene, colour, opacity or (1 if terrain and not scene.flat else 0.35))
         style = actor.GetProperty()
-        style.SetAmbient(0.3)
+        style.SetAmbient(0.35)
         style.SetDiffuse(0.7)
         yield actor
-        if not terrain:
+        if not terrain and shapes[place] not in COMBINED:
             yield sharp_edges(data, scene)
 
 

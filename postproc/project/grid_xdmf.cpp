@@ -67,8 +67,9 @@ void write_xdmf_grid(const std::string& path, const Projection& projection, doub
   }
   const std::string place = file.filename().string() + ":" + group;
   std::string text = fmt::format(
-      "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n"
-      "    <Grid Name=\"projection\" GridType=\"Uniform\">\n      <Time Value=\"{}\"/>\n"
+      "<?xml version=\"1.0\"?>\n<!-- t = {} s; meshio takes no Time of a single grid -->\n<Xdmf "
+      "Version=\"3.0\">\n  <Domain>\n"
+      "    <Grid Name=\"projection\" GridType=\"Uniform\">\n"
       "      <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">{}</Topology>\n"
       "      <Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
       time, active.corners == 4 ? "Quadrilateral" : "Hexahedron", cells,

@@ -79,7 +79,11 @@ Schema<ContactSpec> make_contact_schema() {
 
 Schema<ColliderSpec> make_collider_schema() {
   Schema<ColliderSpec> s("collider", "A rigid body, fixed or moved with a prescribed velocity.");
-  s.table("shape", &ColliderSpec::shape, &shape_schema).doc("The solid, as it lies at t = 0.");
+  s.table("shape", &ColliderSpec::shape, &shape_schema)
+      .doc(
+          "The solid, as it lies at t = 0; it may reach out of the domain. Between periodic faces "
+          "it "
+          "is repeated as the domain is.");
   s.formulas("velocity", &ColliderSpec::velocity, Unit::velocity, {"t"})
       .fallback_text("at rest")
       .doc("Velocity of translation.");

@@ -249,9 +249,10 @@ void CoupledFlow<D>::push(const FlowStep<D>& step, const std::vector<double>& fo
     const Vec3<double> impulse = push_group(step, group, force, velocity);
     if (group.collider < 0) continue;
     Vec3<double> arm{};
-    const Vec3<double> centre = (*step.colliders)[std::size_t(group.collider)].reference_point();
-    const std::array<double, 3> x = position(group.root, topology);
-    for (int a = 0; a < 3; ++a) arm[a] = x[std::size_t(a)] - centre[a];
+    const Collider& collider = (*step.colliders)[std::size_t(group.collider)];
+    const Vec3<double> centre = collider.reference_point();
+    const Vec3<double> place = collider.unwrapped(position(group.root, topology).data());
+    for (int a = 0; a < 3; ++a) arm[a] = place[a] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);
     Reaction& reaction = reactions_[std::size_t(group.collider)];
     for (int a = 0; a < 3; ++a) {

@@ -10,6 +10,7 @@
 #include "solver/deck/expression.hpp"
 #include "solver/deck/initial_stress.hpp"
 #include "solver/deck/particle_faults.hpp"
+#include "solver/deck/record_faults.hpp"
 #include "solver/particles/sampling.hpp"
 #include "solver/particles/shape.hpp"
 #include "solver/simulation/particle_fields.hpp"
@@ -43,7 +44,7 @@ class Checker {
     check_collider_velocities();
     check_fields();
     check_series();
-    check_samples();
+    check_records();
     for (const BodySpec& body : deck_.bodies) {
       check_place(body);
     }
@@ -257,34 +258,10 @@ class Checker {
            "at most " + toml_number(deck_.time.end) + " s");
   }
 
-  void check_samples() {
-    if (faulty("domain")) return;
-    for (const ProbeSpec& probe : deck_.probes) {
-      if (std::isnan(probe.at[0]) || faulty(key_text({"probe", probe.name, "at"}))) continue;
-      check_inside({"probe", probe.name, "at"}, probe.at);
+  void check_records() {
+    for (const RecordFault& fault : record_faults(deck_, problems_)) {
+      report(fault.path, fault.message, fault.allowed, fault.repair);
     }
-    if (deck_.domain.dimension != 3) return;
-    for (const SectionSpec& section : deck_.sections) {
-      const std::vector<std::string> path{"section", section.name, "position"};
-      if (faulty(key_text({"section", section.name}))) continue;
-      const auto axis = static_cast<std::size_t>(section.normal);
-      const double lower = deck_.domain.lower[axis], upper = deck_.domain.upper[axis];
-      if (section.position >= lower && section.position <= upper) continue;
-      report(path, "lies outside of the domain",
-             toml_number(lower) + " to " + toml_number(upper) + " m");
-    }
-  }
-
-  void check_inside(const std::vector<std::string>& path, const std::array<double, 3>& x) {
-    const int dimension = deck_.domain.dimension;
-    bool inside = true;
-    for (std::size_t a = 0; a < static_cast<std::size_t>(dimension); ++a) {
-      inside = inside && x[a] >= deck_.domain.lower[a] && x[a] <= deck_.domain.upper[a];
-    }
-    if (inside) return;
-    report(path, "lies outside of the domain",
-           point_text(deck_.domain.lower, dimension) + " to " +
-               point_text(deck_.domain.upper, dimension) + " m");
   }
 
   /// Positions: of all particles, or corners of a large body.

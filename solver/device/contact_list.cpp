@@ -58,7 +58,8 @@ void ContactList<D, T>::find(const Grid<D, T>& grid, int block,
       const Collider& collider = colliders[std::size_t(c)];
       if (!collider.touches(x.data())) continue;
       const Vec3<double> n = collider.normal(x.data());
-      out.push_back({record, c, x, {n[0], n[1], n[2]}});
+      const Vec3<double> place = collider.unwrapped(x.data());
+      out.push_back({record, c, {place[0], place[1], place[2]}, {n[0], n[1], n[2]}});
     }
   }
 }

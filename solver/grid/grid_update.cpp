@@ -264,10 +264,11 @@ void GridUpdate<D, T>::touch_node(const std::array<double, 3>& x, int i, double 
     Vec3<double> impulse{};
     Vec3<double> arm{};
     const Vec3<double> centre = collider.reference_point();
+    const Vec3<double> place = collider.unwrapped(x.data());
     const bool holds = touch_surface<D>(collider.contact(), collider.coefficient(),
                                         collider.velocity(), normal, mass, v, impulse);
     if (holds) held.push_back({collider.contact() == ContactType::sticky, normal});
-    for (int a = 0; a < 3; ++a) arm[a] = x[std::size_t(a)] - centre[a];
+    for (int a = 0; a < 3; ++a) arm[a] = place[a] - centre[a];
     const Vec3<double> torque = cross(arm, impulse);
     for (int a = 0; a < 3; ++a) {
       reactions[c].force[std::size_t(a)] += impulse[a];

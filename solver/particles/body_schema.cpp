@@ -6,8 +6,9 @@ namespace {
 
 Schema<InitialStressSpec> make_initial_stress_schema() {
   Schema<InitialStressSpec> s("initial_stress",
-                              "The stress of a body at the start, effective where there is pore "
-                              "water: excess pore pressures start from zero.");
+                              "The stress of a body at the start, in place of what its material's "
+                              "keys say of it (initial_pressure, initial_j). Effective where there "
+                              "is pore water: excess pore pressures start from zero.");
   s.choice("type", &InitialStressSpec::type,
            {{"geostatic", InitialStressType::geostatic}, {"uniform", InitialStressType::uniform}})
       .doc(

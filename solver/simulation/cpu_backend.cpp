@@ -130,13 +130,17 @@ void CpuBackend<D, T>::g2p(const Parameters& parameters) {
 template <int D, class T>
 void CpuBackend<D, T>::average_volumes(const Parameters& parameters) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    grid_.clear(volumes_, executor_.pool());
     PassData<D, T> data = pass_data(i, parameters[i]);
-    data.read[0] = data.write[0] = volumes_.data();
+    for (int c = 0; c < volume_channels<D>; ++c) {
+      grid_.clear(volumes_[c], executor_.pool());
+      data.read[c] = data.write[c] = volumes_[c].data();
+    }
     for (const auto& colour : blocks_[i].colours) {
       run_volume_scatter(config_.kernel, executor_, data, config_.volume_ratio, colour);
     }
-    form_node_means(grid_, grid_update_.pairs(), volumes_, executor_.pool());
+    for (int c = 0; c < volume_channels<D>; ++c) {
+      form_node_means(grid_, grid_update_.pairs(), volumes_[c], executor_.pool());
+    }
     run_volume_gather(config_.kernel, executor_, data, config_.volume_ratio, blocks_[i].all);
   }
 }
@@ -211,8 +215,8 @@ void CpuBackend<D, T>::set_momenta(const std::vector<T>& values) {
 
 template <int D, class T>
 std::int64_t CpuBackend<D, T>::grid_bytes() const {
-  const std::size_t values =
-      current_.capacity() + next_.capacity() + extra_.capacity() + volumes_.capacity();
+  const std::size_t values = current_.capacity() + next_.capacity() + extra_.capacity() +
+                             volumes_[0].capacity() + volumes_[1].capacity();
   return std::int64_t(values * sizeof(T)) +
          std::int64_t(grid_.topology().size()) * (8 + 4 * neighbour_count<D>);
 }

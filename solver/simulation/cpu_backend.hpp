@@ -67,10 +67,10 @@ class CpuBackend final : public Backend<D, T> {
   Executor& executor_;
   Grid<D, T> grid_;
   GridUpdate<D, T> grid_update_;
-  AlignedVector<T> current_;  ///< momenta, after update_grid() velocities
-  AlignedVector<T> next_;     ///< fused: the grid scattered to
-  AlignedVector<T> extra_;    ///< channel 1: impulses, then velocity changes
-  AlignedVector<T> volumes_;  ///< average_volumes(): {V j, 0, 0, V}, then {mean of j, 0, 0, V}
+  AlignedVector<T> current_;     ///< momenta, after update_grid() velocities
+  AlignedVector<T> next_;        ///< fused: the grid scattered to
+  AlignedVector<T> extra_;       ///< channel 1: impulses, then velocity changes
+  AlignedVector<T> volumes_[2];  ///< average_volumes(): sums, then means of its two channels
   std::vector<Blocks> blocks_;
   double grid_mass_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "solver/base/error.hpp"
 #include "solver/device/device_backend.hpp"
 #include "solver/simulation/cpu_backend.hpp"
+#include "solver/simulation/periods_of.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 #include "solver/transfer/compact.hpp"
 #include "solver/transfer/quadratic.hpp"
@@ -84,7 +85,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
       domain_(make_domain()) {
   check_path();
   for (const ColliderSpec& spec : setup_.colliders)
-    colliders_.emplace_back(spec, D, setup_.cell_size);
+    colliders_.emplace_back(spec, D, setup_.cell_size, periods_of(setup_));
   collider_work_.assign(colliders_.size(), 0);
   std::vector<std::int64_t> first_id;
   std::vector<double> mass;

@@ -3,16 +3,22 @@
 
 #include "solver/base/math.hpp"
 #include "solver/step/particle_ops.hpp"
+#include "solver/step/volume_passes.hpp"
 
 /// Bodies of the assumed deformation gradient (volumetric_locking = "fbar"): between g2p and
 /// stress, the change of volume in dt grad v is replaced by its mean over the nodes around the
 /// particle.
 ///
-/// j = det(I + dt grad v) - 1 goes to the nodes with the particles' present volumes V as weights
-/// and comes back as a mean, j_i = sum w V j/sum w V. Weights sum to one on every lattice, so the
-/// sum of V j over the particles stays what it was. It is the averaging of Zhao, Jiang, Choo, IJNME
-/// 124, 2023, applied to the increment (as the F-bar of Coombs et al., CMAME 333, 2018): what lies
-/// in the state already is not averaged again.
+/// S q = sum w (sum w V q/sum w V), mean over the lattices, with the particles' present volumes V.
+/// It is the averaging of Zhao, Jiang, Choo, IJNME 124, 2023, applied to the increments (as the
+/// F-bar of Coombs et al., CMAME 333, 2018): j = det(I + dt grad v) - 1 becomes S j.
+///
+/// What lies in the states already is averaged as far as the material is sheared, since particles
+/// from different places meet: a (S(a s) - s S(a)) comes on top, with s = ln J and a^2 four times
+/// the shear strain of the step. At rest it is nothing.
+///
+/// Weights sum to one on every lattice and V S is symmetric, so the sum of V j over the particles
+/// stays what it was, with either part.
 namespace scree {
 
 /// The in-plane increment (2D: det of the 2x2 part, since F_33 = 1 in plane strain) [-].
@@ -40,6 +46,19 @@ struct VolumeIncrement {
     }
   }
 
+  /// Shear strain in the plane or space: of simple shear, the angle [-].
+  SCREE_FN V shear() const {
+    const auto& m = gradient;
+    V square = broadcast<V>(Scalar<V>(0));
+    for (int c = 0; c < D; ++c) {
+      for (int a = 0; a < c; ++a) {
+        const V twist = m[c][a] + m[a][c], stretch = m[c][c] - m[a][a];
+        square = square + twist * twist + stretch * stretch * Scalar<V>(2.0 / D);
+      }
+    }
+    return sqrt(square);
+  }
+
   /// I + m times the D-th root of 1 + x, less I.
   SCREE_FN void scale(const V& x) {
     const V root = expm1(log1p(x) * Scalar<V>(1.0 / D));
@@ -57,57 +76,100 @@ struct VolumeIncrement {
   }
 };
 
-/// Particles to nodes {V j, 0, 0, V}. ratio: aux field of the volume ratio J, V = J V0.
+/// What a particle gives to S, and what S gives it.
+template <class V>
+struct VolumeMeans {
+  V change;  ///< j
+  V strain;  ///< a s
+  V share;   ///< a
+};
+
+/// a^2 = four times the shear strain of the step, as far as that is less than one: differences fade
+/// to a fiftieth while neighbours change. (One time lets pressures of a breaking dam scatter twice
+/// as much, sixteen times are no better than four.)
+template <class V, int D>
+SCREE_FN V mixing(const VolumeIncrement<V, D>& increment) {
+  return sqrt(min(increment.shear() * Scalar<V>(4), broadcast<V>(Scalar<V>(1))));
+}
+
+/// Particles to nodes. ratio: aux field of the volume ratio J, V = J V0.
 template <class Kernel, class G, int D, class T>
 SCREE_FN void scatter_volumes_block(G& g, const PassData<D, T>& data, int ratio) {
   using V = typename G::V;
-  g.clear(0);
+  for (int c = 0; c < volume_channels<D>; ++c) g.clear(c);
   g.sync();
   g.each_batch([&](const typename G::Batch& b) {
+    const MaskOf<V> active = g.active(b);
     V u[D];
-    V q[D];
     V none[D][D];
     load_position(g, b, u);
+    transfer_detail::set_zero(none);
     VolumeIncrement<V, D> increment;
     increment.load(g, b, data.layout.increment);
-    const V volume = select(g.active(b), g.load_aux(b, ratio) * data.parameters.particle_volume,
-                            broadcast<V>(T(0)));
-    transfer_detail::set_zero(q);
-    transfer_detail::set_zero(none);
-    q[0] = volume * increment.change();
-    g.scatter_affine(0, Kernel::template at<V, D>(u).stencil, q, volume, none, live_lanes<V>(g, b));
+    const V J = select(active, g.load_aux(b, ratio), broadcast<V>(T(1)));
+    const V volume = select(active, J * data.parameters.particle_volume, broadcast<V>(T(0)));
+    const V share = mixing(increment);
+    const VolumeMeans<V> own{increment.change(), share * log(J), share};
+    const auto point = Kernel::template at<V, D>(u);
+    const V live = live_lanes<V>(g, b);
+    V q[D];
+    q[0] = volume * own.change;
+    q[1] = volume * own.strain;
+    if constexpr (D == 3) q[2] = volume * own.share;
+    g.scatter_affine(0, point.stencil, q, volume, none, live);
+    if constexpr (D == 3) return;
+    q[0] = volume * own.share;
+    q[1] = broadcast<V>(T(0));
+    g.scatter_affine(1, point.stencil, q, volume, none, live);
   });
   g.sync();
-  g.stage_out(0);
+  for (int c = 0; c < volume_channels<D>; ++c) g.stage_out(c);
 }
 
-/// Nodes {mean, ...} to particles: dt grad v with the mean change of volume, and J with it.
+/// S of the three at a particle.
+template <class Kernel, class V, int D, class G>
+SCREE_FN VolumeMeans<V> gather_means(const G& g, const V (&u)[D]) {
+  using T = Scalar<V>;
+  const auto point = Kernel::template at<V, D>(u);
+  const T part = T(1.0 / Kernel::lattices);
+  V mean[D];
+  V unused[D][D];
+  g.gather_affine(0, point.stencil, mean, unused);
+  VolumeMeans<V> means{mean[0] * part, mean[1] * part, broadcast<V>(T(0))};
+  if constexpr (D == 2) {
+    g.gather_affine(1, point.stencil, mean, unused);
+    means.share = mean[0] * part;
+  } else {
+    means.share = mean[2] * part;
+  }
+  return means;
+}
+
+/// Nodes to particles: dt grad v with the mean change of volume, and J with it.
 template <class Kernel, class G, int D, class T>
 SCREE_FN void gather_volumes_block(G& g, const PassData<D, T>& data, int ratio) {
   using V = typename G::V;
-  g.stage_in(0);
+  for (int c = 0; c < volume_channels<D>; ++c) g.stage_in(c);
   g.sync();
   g.each_batch([&](const typename G::Batch& b) {
     const V none = broadcast<V>(T(0));
+    const MaskOf<V> active = g.active(b);
     V u[D];
-    V mean[D];
-    V unused[D][D];
     load_position(g, b, u);
-    g.gather_affine(0, Kernel::template at<V, D>(u).stencil, mean, unused);
-    const V wanted = mean[0] * T(1.0 / Kernel::lattices);
     VolumeIncrement<V, D> increment;
     increment.load(g, b, data.layout.increment);
+    const V J = select(active, g.load_aux(b, ratio), broadcast<V>(T(1)));
+    const VolumeMeans<V> mean = gather_means<Kernel>(g, u);
+    const V wanted = mean.change + mixing(increment) * (mean.strain - log(J) * mean.share);
     const V own = increment.change();
-    const V ratio_before = g.load_aux(b, ratio);
     // A particle that turns inside out within a step has no such root.
-    const MaskOf<V> active = g.active(b);
     const MaskOf<V> upright = min(own, wanted) > broadcast<V>(T(-1));
-    g.fault(active & !upright, FaultCode::inadmissible_state, ratio_before * (T(1) + own), u, b);
+    g.fault(active & !upright, FaultCode::inadmissible_state, J * (T(1) + own), u, b);
     const MaskOf<V> changes = active & upright;
     const V safe = select(changes, own, none);
     increment.scale(select(changes, (wanted - safe) / (T(1) + safe), none));
     increment.store(g, b, data.layout.increment);
-    g.store_aux(b, ratio, ratio_before + select(changes, wanted, none) * ratio_before);
+    g.store_aux(b, ratio, J + select(changes, wanted, none) * J);
   });
 }
 

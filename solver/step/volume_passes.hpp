@@ -9,6 +9,11 @@
 
 namespace scree {
 
+/// Channels of sums that the passes use. A record holds three numerators and their weight in 3D,
+/// two of them in 2D, where the third goes to channel 1.
+template <int D>
+inline constexpr int volume_channels = D == 2 ? 2 : 1;
+
 /// Volumes and their changes to nodes over the blocks of one colour. ratio: aux field of the volume
 /// ratio.
 template <int D, class T>

@@ -27,7 +27,8 @@ contact.type = "slip"
 class PostColliders : public testing::Test {
  protected:
   PostColliders() : run_(2, {1, 1, 0}, 0.1, 2, walls) {
-    const ParticleSnapshot body = lattice_particles({{0, 0, 0}, {0.5, 0.5, 0}}, 0.05, 2);
+    ParticleSnapshot body = lattice_particles({{0, 0, 0}, {0.5, 0.5, 0}}, 0.05, 2);
+    add_field(body, "pressure", [](const double* x) { return 1 - x[1]; });
     run_.add(body, 0);
     run_.add(body, 1);
     // A force of 10 N/m for each metre of way, drawn at five times.
@@ -48,7 +49,7 @@ class PostColliders : public testing::Test {
 };
 
 TEST_F(PostColliders, TheyStandWhereTheirVelocityHasCarriedThem) {
-  const std::vector<RunCollider> colliders = run_colliders(Run(run_.path()), {0, 0.5, 1});
+  const std::vector<RunCollider> colliders = run_colliders(scree::Run(run_.path()), {0, 0.5, 1});
   ASSERT_EQ(colliders.size(), 2u);
   EXPECT_FALSE(colliders[0].moves());
   ASSERT_TRUE(colliders[1].moves());
@@ -73,6 +74,24 @@ TEST_F(PostColliders, OneFileForThoseAtRestAndOneAFrameForOthers) {
   }
   for (const char* file : {"00.vtp", "01_000000.vtp", "01_000001.vtp"})
     EXPECT_TRUE(std::filesystem::exists(run_ / ("colliders_files/" + std::string(file))));
+}
+
+TEST_F(PostColliders, ThePictureShowsThemUnlessTheyAreLeftOut) {
+  if (!std::filesystem::exists("/usr/bin/xvfb-run") ||
+      run_process({"/usr/bin/python3", "-c", "import vtk"}).status != 0) {
+    GTEST_SKIP() << "no xvfb or no VTK for Python";
+  }
+  const auto picture = [&](const std::string& name, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"render",  run_.path(), "-o",      run_ / name,
+                                   "--field", "pressure",  "--width", "400"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProcessResult result = post(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return read_text(run_ / name);
+  };
+  const std::string all = picture("all.png", {}), bare = picture("bare.png", {"--no-colliders"});
+  EXPECT_EQ(all.substr(1, 3), "PNG");
+  EXPECT_NE(all, bare);
 }
 
 TEST_F(PostColliders, TheHistoryIsATableAgainstTheWay) {

@@ -241,13 +241,14 @@ TEST(PostConvert, ATableHasAllComponents) {
 TEST(PostProject, TheCommandWritesAGridAndSaysHowItWent) {
   SyntheticRun run(2, {0.8, 0.3, 0}, 0.02);
   add_column(run);
-  for (const char* name : {"grid.vti", "grid.vtu"}) {
+  for (const char* name : {"grid.vti", "grid.vtu", "grid.xdmf"}) {
     const Json json = json_of({"project", run.path(), "-o", run / name, "--fields", "pressure"});
     EXPECT_EQ(json["rows"].size(), 1u);
     EXPECT_LT(column(json, "conservation_error")[0], 1e-6);
     EXPECT_GT(column(json, "iterations")[0], 0);
     EXPECT_TRUE(std::filesystem::exists(run / name));
   }
+  EXPECT_TRUE(std::filesystem::exists(run / "grid.h5"));
 }
 
 TEST(PostProject, OptionsReachPetscAndUnknownOnesAreRefused) {

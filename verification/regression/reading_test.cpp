@@ -70,6 +70,26 @@ TEST_F(Reading, MeshioReadsTheParticles) {
   EXPECT_EQ(result.status, 0) << result.err;
 }
 
+TEST_F(Reading, MeshioReadsAProjection) {
+  if (run_process({python, "-c", "import meshio, h5py"}).status != 0) GTEST_SKIP() << "no meshio";
+  // The block has 2 x 2 x 2 cells; its nodes' volumes are all of its 0.2^3 m^3.
+  const std::string script =
+      "import meshio, sys\n"
+      "mesh = meshio.read(sys.argv[1])\n"
+      "cells = mesh.cells_dict['hexahedron']\n"
+      "assert cells.shape[0] >= 8 and cells.max() + 1 == len(mesh.points)\n"
+      "side = mesh.points[cells[:, 6]] - mesh.points[cells[:, 0]]\n"
+      "assert abs(side - 0.1).max() < 1e-12, side\n"  // opposite corners, so the order is right
+      "assert abs(mesh.point_data['volume'].sum() - 0.008) < 1e-12\n"
+      "assert mesh.point_data['velocity'].shape == (len(mesh.points), 3)\n";
+  const std::string file = (folder_ / "projection.xdmf").string();
+  const ProcessResult post = run_process({SCREE_EXECUTABLE, "post", "project", run().string(), "-o",
+                                          file, "--fields", "velocity", "--quiet"});
+  ASSERT_EQ(post.status, 0) << post.err;
+  const ProcessResult result = run_process({python, "-c", script, file});
+  EXPECT_EQ(result.status, 0) << result.err;
+}
+
 TEST_F(Reading, ThePictureIsDrawn) {
   if (!fs::exists("/usr/bin/xvfb-run") || run_process({python, "-c", "import vtk"}).status != 0) {
     GTEST_SKIP() << "no xvfb or no VTK for Python";

@@ -99,6 +99,64 @@ TEST(Collider, AHalfSpaceTurnsAboutItsOwnPoint) {
   EXPECT_EQ(collider.normal(deep)[1], 1);
 }
 
+/// x from -0.1 m to 0.9 m repeats.
+Periods one_metre() { return {{-0.1, 0, 0}, {1, 0, 0}}; }
+
+TEST(Collider, BeyondAPeriodicFaceItComesInAtTheOther) {
+  Collider collider(plate("0.5", "0"), 2, 0.01, one_metre());
+  EXPECT_FALSE(std::isfinite(collider.bounds().upper[0]));
+  EXPECT_EQ(collider.bounds().upper[1], 0.25);
+  collider.set_step(0, 1.1);
+  collider.advance(1.1);  // by 0.55 m: to [0.85, 0.95], of which 0.9 to 0.95 is -0.1 to -0.05
+  const double here[3] = {0.86, 0.24, 0}, there[3] = {-0.06, 0.24, 0}, between[3] = {0.4, 0.24, 0};
+  EXPECT_TRUE(collider.touches(here));
+  EXPECT_TRUE(collider.touches(there));
+  EXPECT_FALSE(collider.touches(between));
+  // 1e-15: sums of numbers near 1.
+  EXPECT_NEAR(collider.distance(here), -0.01, 1e-15);
+  EXPECT_NEAR(collider.distance(there), -0.01, 1e-15);
+  EXPECT_NEAR(collider.distance(between), 0.45, 1e-15);
+  EXPECT_EQ(collider.normal(there)[1], 1);
+  const double right_of_it[3] = {-0.0501, 0.22, 0};
+  EXPECT_EQ(collider.normal(right_of_it)[0], 1);
+  EXPECT_NEAR(collider.unwrapped(here)[0], 0.86, 1e-15);
+  EXPECT_NEAR(collider.unwrapped(there)[0], 0.94, 1e-15);
+  for (int i = 0; i < 7; ++i) collider.advance(10);  // 35 m: the same place
+  EXPECT_NEAR(collider.distance(there), -0.01, 1e-14);
+  EXPECT_NEAR(collider.unwrapped(there)[0], 35.94, 1e-13);
+}
+
+TEST(Collider, ALongFloorIsAFloorAtEveryPlaceOfAPeriodicDomain) {
+  ColliderSpec spec = plate("3", "0");
+  for (const double half : {0.7, 3.0, 1e5}) {
+    spec.shape.lower = {-half, -1, 0};
+    spec.shape.upper = {half, 0.05, 0};
+    Collider floor(spec, 2, 0.01, one_metre());
+    for (int step = 0; step < 20; ++step) {
+      for (const double x : {-0.1, 0.2, 0.9}) {
+        const double below[3] = {x, 0.02, 0}, above[3] = {x, 0.06, 0};
+        EXPECT_TRUE(floor.touches(below)) << half << " " << step << " " << x;
+        EXPECT_EQ(floor.normal(below)[1], 1) << half << " " << step << " " << x;
+        EXPECT_FALSE(floor.touches(above));
+      }
+      floor.set_step(0, 0.1);
+      floor.advance(0.1);
+    }
+  }
+}
+
+TEST(Collider, AHalfSpaceIsNotRepeated) {
+  ColliderSpec spec = plate("0", "0");
+  spec.shape = {};
+  spec.shape.kind = ShapeKind::plane;
+  spec.shape.normal = {0, 1, 0};
+  const Collider collider(spec, 2, 0.01, one_metre());
+  const double deep[3] = {0.8, -0.5, 0};
+  EXPECT_EQ(collider.distance(deep), -0.5);
+  EXPECT_EQ(collider.unwrapped(deep)[0], 0.8);
+  EXPECT_TRUE(std::isinf(collider.bounds().lower[1]));
+}
+
 TEST(Collider, StateComesBackBitForBit) {
   Collider a(plate("0.1+t", "cos(t)"), 2, 0.01), b(plate("0.1+t", "cos(t)"), 2, 0.01);
   for (int i = 0; i < 7; ++i) {

@@ -134,6 +134,17 @@ TEST(Check, PredictsTheEffortAndWritesNothing) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
+TEST(Check, AProbeOfNoParticleIsTheUsersMistake) {
+  const TemporaryFolder folder;
+  const std::string deck = (folder.path() / "probe.toml").string();
+  std::ofstream(deck) << good_deck << "[probe.grain]\ntype = \"particle\"\nid = 7200\n";
+  const Outcome outcome = scree({"check", deck.c_str(), "--threads", "1"});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_EQ(outcome.error,
+            "scree: probe.grain.id = 7200: there is no such particle; allowed: 0 to 7199\n");
+  EXPECT_EQ(outcome.out, "");
+}
+
 TEST(Describe, UnknownTopicsGetASuggestion) {
   const Outcome outcome = scree({"describe", "drucker"});
   EXPECT_EQ(outcome.status, 2);

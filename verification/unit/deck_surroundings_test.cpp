@@ -112,6 +112,15 @@ id = 3)~",
 from = [0.1, 0.1]
 to = [0.1, 0.1])~",
      R"~(deck.toml:27:6: profile.a.to = [0.1, 0.1]: is the same as from, so the line has no length; move one of them)~"},
+    {25, R"~([profile.a]
+from = [0.9, 0.25]
+to = [0.75, 0.4])~",
+     R"~(deck.toml:26:8: profile.a.from = [0.9, 0.25]: the line to [0.75, 0.4] m lies outside of the domain; allowed: [0, 0] to [0.8, 0.3] m; move from or to)~"},
+    {25, R"~([section.a]
+region = { type = "sphere", center = [0.9, 0.1], radius = 0.05 })~",
+     R"~(deck.toml:26:10: section.a.region = { type = "sphere", center = [0.9, 0.1], radius = 0.05 }: lies outside of the domain; allowed: shapes that meet [0, 0] to [0.8, 0.3] m)~"},
+    {27, R"~(region = { type = "box", lower = [0.1, 0.4], upper = [0.2, 0.5] })~",
+     R"~(deck.toml:27:10: output.region = { type = "box", lower = [0.1, 0.4], upper = [0.2, 0.5] }: lies outside of the domain; allowed: shapes that meet [0, 0] to [0.8, 0.3] m)~"},
     {25, R"~([section.a]
 fields = ["presure"])~",
      R"~(deck.toml:26:11: section.a.fields[0] = "presure": is no field of the materials in use; allowed: id, material, body, velocity, stress, pressure, p, q, von_mises, lode_angle, principal_stress, principal_directions, mobilised_friction, yield_distance, equivalent_plastic_shear_strain, strain_rate, mass, volume, volume_ratio, displacement, deformation_gradient, volume_correction, equivalent_plastic_strain, log_volume_ratio; did you mean "pressure"?)~"},

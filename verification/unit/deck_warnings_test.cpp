@@ -55,6 +55,15 @@ shape = { type = "box", lower = [0.0, 0.0], upper = [0.02, 0.02] })",
                   "counts twice"});
 }
 
+TEST(DeckWarnings, ColliderBeyondAPeriodicFace) {
+  // 2 cm of the plate come in at x = 0: 3 x 6 particles.
+  EXPECT_EQ(warnings_of(R"([collider.plate]
+contact = "slip"
+shape = { type = "box", lower = [0.78, 0.04], upper = [0.82, 0.08] })",
+                        {"boundary.x_min=\"periodic\"", "boundary.x_max=\"periodic\""}),
+            Texts{"the collider plate holds 18 particles of the body column at t = 0"});
+}
+
 TEST(DeckWarnings, BodiesThatShareAFaceDoNotOverlap) {
   EXPECT_EQ(warnings_of(R"([body.two]
 material = "sand"

@@ -82,12 +82,12 @@ TEST(RunFolder, AForeignFolderIsNeverTouched) {
 
 TEST(RunFolder, ResumeNeedsACheckpoint) {
   const TemporaryFolder folder;
-  EXPECT_NE(refusal(folder / "none", FolderMode::resume).find("no checkpoint.h5"),
+  EXPECT_NE(refusal(folder / "none", FolderMode::resume).find("start without --resume"),
             std::string::npos);
   EXPECT_FALSE(fs::exists(folder / "none"));
   leave_run(folder / "run");
   fs::remove(folder / "run/checkpoint.h5");
-  EXPECT_NE(refusal(folder / "run", FolderMode::resume).find("no checkpoint.h5"),
+  EXPECT_NE(refusal(folder / "run", FolderMode::resume).find("start anew with --overwrite"),
             std::string::npos);
 }
 

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <string>
 
 #include "solver/base/error.hpp"
 #include "verification/cases/strip_load/exact.hpp"
@@ -100,14 +102,18 @@ TEST(PoreWaterSteps, ClosedBodyThatSpinsKeepsItsVolume) {
   spin(1, 0) = rate;
   set_velocity(body, Vector::Zero(), spin, Vector(0.8, 0.8, 0));
   setup.coupling.emplace();
-  set_steps(setup, 320, 5e-4);
+  const double dt = 5e-4;
+  set_steps(setup, 320, dt);
   const Schedule schedule = setup.schedule;
   const auto simulation = Simulation::create(std::move(setup));
   run(*simulation, schedule);
   const HistoryRow row = simulation->history();
   EXPECT_GT(row.angular_momentum[2], 0.9 * 2000 * 0.64 * rate * 0.64 / 6);  // it did spin
-  // Without the carried-over part of det(I + dt grad v): (rate dt)^2 a step, 3e-2 in all.
-  EXPECT_LT(std::abs(row.fluid->error), 1e-6);
+  // What tr(dt grad v) misses of det(I + dt grad v), (rate dt)^2 of the volume a step, the next
+  // step takes back: of the pores, that of one step is left, not of 320. The body is not quite
+  // rigid: strains of rate^2 (0.4 m)^2 density/modulus, 1e-2.
+  const double pending = (rate * dt) * (rate * dt) / 0.4;
+  EXPECT_NEAR(row.fluid->error, pending, 1e-2 * pending);
   EXPECT_EQ(row.fluid->outflow, 0);
 }
 
@@ -137,6 +143,27 @@ TEST(PoreWaterSteps, UniformPressureBetweenWallsIsAtRest) {
     }
     EXPECT_LT(simulation->history().max_speed, 1e-11) << spacing;
   }
+}
+
+/// A pressure that is not solved is never used.
+TEST(PoreWaterSteps, SolveThatDoesNotConvergeEndsTheRun) {
+  SoilColumn column = short_column(1, 0.01);
+  column.coupling.preconditioner = "jacobi";
+  column.coupling.solver_options = "-scree_p_ksp_max_it 2";
+  const auto simulation = Simulation::create(column_setup(column));
+  try {
+    for (int i = 0; i < 10; ++i) simulation->step();
+    ADD_FAILURE() << "no fault";
+  } catch (const RunFault& fault) {
+    const std::string text = fault.what();
+    for (const char* part : {"pore pressure at t = ", "the solver stopped after 2 iterations",
+                             "relative residual of ", "coupling.preconditioner"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+  }
+  // PETSc's options are the process's: what comes after shall not find this one.
+  column.coupling.solver_options = "-scree_p_ksp_max_it 10000";
+  Simulation::create(column_setup(column))->step();
 }
 
 /// Undrained ground under a strip of load, particles off their lattice by 0.3 of their distance.

@@ -1,32 +1,44 @@
 # SPDX-License-Identifier: Apache-2.0
 """ParaView macro: the free surface of the active source: where half of the space around a point is filled, as in `scree post surface`."""
-import os
-import tomllib
-
 from paraview.simple import *
 
 source, view = GetActiveSource(), GetActiveViewOrCreate("RenderView")
-reader = source
-while not hasattr(reader, "FileName") and not hasattr(reader, "FileNames"):
-    reader = reader.Input
-name = reader.FileNames[0] if hasattr(reader, "FileNames") else reader.FileName
-with open(os.path.join(os.path.dirname(os.path.abspath(str(name))), "resolved.toml"), "rb") as file:
-    deck = tomllib.load(file)
+
+# The scripts run in ParaView's pipeline, for each time; they ask the reader for the run's folder, so that a saved state serves other runs.
+COMMON = """
+def deck_of(algorithm):
+    import os
+    import tomllib
+    while algorithm is not None:
+        for ask in (lambda a: a.GetFileName(), lambda a: a.GetFileName(0), lambda a: a.GetReader().GetFileName()):
+            try:
+                name = ask(algorithm)
+            except (AttributeError, TypeError):
+                continue
+            if name:
+                with open(os.path.join(os.path.dirname(os.path.abspath(name)), "resolved.toml"), "rb") as file:
+                    return tomllib.load(file)
+        algorithm = algorithm.GetInputAlgorithm(0, 0) if algorithm.GetNumberOfInputPorts() else None
+    raise RuntimeError("the particles come from no file")
+
+
+deck = deck_of(self.GetInputAlgorithm(0, 0))
 domain = deck["domain"]
 cell, dimension = domain["cell_size"], domain["dimension"]
-volumes = [(cell / body.get("particles_per_direction", 2)) ** dimension for body in deck["body"].values()]
-
-# Runs in ParaView for each time: every particle gives its volume to the corners of its cell.
-SCRIPT = f"""
+"""
+SCRIPT = COMMON + """
 import numpy
 from vtkmodules.numpy_interface import dataset_adapter
-cell, dimension = {cell!r}, {dimension!r}
-low, high = numpy.array({list(domain['lower'])!r}), numpy.array({list(domain['upper'])!r})
+low, high = numpy.array(domain["lower"]), numpy.array(domain["upper"])
 particles = dataset_adapter.WrapDataObject(self.GetInputDataObject(0, 0))
 x = numpy.asarray(particles.Points)[:, :dimension]
 field = particles.PointData
-names = field.keys()
-volume = numpy.asarray(field['volume'] if 'volume' in names else numpy.array({volumes!r})[numpy.asarray(field['body'])], dtype=float)
+if "volume" in field.keys():
+    volume = numpy.asarray(field["volume"], dtype=float)
+else:
+    of_body = numpy.array([(cell / body.get("particles_per_direction", 2)) ** dimension for body in deck["body"].values()])
+    volume = of_body[numpy.asarray(field["body"])]
+# Every particle gives its volume to the corners of its cell.
 first = numpy.floor((x.min(axis=0) - low) / cell).astype(int) - 1
 count = numpy.floor((x.max(axis=0) - low) / cell).astype(int) + 3 - first
 share = numpy.zeros(count)
@@ -35,8 +47,10 @@ base = numpy.floor(place).astype(int)
 part = place - base
 for corner in range(2 ** dimension):
     bits = [corner >> a & 1 for a in range(dimension)]
-    weight = numpy.prod([part[:, a] if bit else 1 - part[:, a] for a, bit in enumerate(bits)], axis=0)
-    numpy.add.at(share, tuple(base[:, a] + bit for a, bit in enumerate(bits)), weight * volume / cell ** dimension)
+    weight = volume / cell ** dimension
+    for a in range(dimension):
+        weight = weight * (part[:, a] if bits[a] else 1 - part[:, a])
+    numpy.add.at(share, tuple((base + bits).T), weight)
 for a in range(dimension):  # the faces of the domain are mirrors
     for face in (0, int(round((high[a] - low[a]) / cell))):
         at = face - first[a]
@@ -46,17 +60,15 @@ for a in range(dimension):  # the faces of the domain are mirrors
             share[tuple(index)] *= 2
 image = self.GetImageDataOutput()
 sizes = list(count) + [1] * (3 - dimension)
-extent = [value for size in sizes for value in (0, int(size) - 1)]
-image.SetExtent(extent)
-image.SetOrigin(*[low[a] + first[a] * cell if a < dimension else 0.0 for a in range(3)])
+image.SetExtent(0, int(sizes[0]) - 1, 0, int(sizes[1]) - 1, 0, int(sizes[2]) - 1)
+origin = list(low + first * cell) + [0.0] * (3 - dimension)
+image.SetOrigin(*origin)
 image.SetSpacing(cell, cell, cell)
-dataset_adapter.WrapDataObject(image).PointData.append(share.ravel(order='F'), 'volume_fraction')
+dataset_adapter.WrapDataObject(image).PointData.append(share.ravel(order="F"), "volume_fraction")
 """
-EXTENT = f"""
+EXTENT = COMMON + """
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-import vtkmodules.vtkCommonDataModel
-cells = [int(round((b - a) / {cell!r})) + 6 for a, b in zip({list(domain['lower'])!r}, {list(domain['upper'])!r})]
-cells += [0] * (3 - len(cells))
+cells = [int(round((b - a) / cell)) + 6 for a, b in zip(domain["lower"], domain["upper"])] + [0] * (3 - dimension)
 info = self.GetOutputInformation(0)
 info.Set(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), 0, cells[0], 0, cells[1], 0, cells[2])
 """

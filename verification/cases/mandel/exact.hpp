@@ -38,9 +38,10 @@ struct Specimen {
   double root(int n) const {
     double low = n * std::numbers::pi, high = low + std::numbers::pi / 2;
     if (n == 0) low = 1e-3;
+    const double sign = n % 2 == 0 ? 1 : -1;
     for (int i = 0; i < 60; ++i) {
       const double b = (low + high) / 2;
-      (std::sin(b) - ratio * b * std::cos(b) < 0 ? low : high) = b;
+      (sign * (std::sin(b) - ratio * b * std::cos(b)) < 0 ? low : high) = b;
     }
     return low;
   }
