@@ -14,12 +14,6 @@ namespace {
 /// Of the pressure nodes' lattice: midpoints between the velocity nodes.
 double lattice_offset(KernelType kernel) { return kernel == KernelType::compact ? 0.25 : 0.5; }
 
-/// icc needs few iterations, but to set it up takes longer than they do in 3D, where rows are long.
-std::string preconditioner(const CouplingSetup& setup, int dimension) {
-  if (!setup.preconditioner.empty()) return setup.preconditioner;
-  return dimension == 2 ? "icc" : "jacobi";
-}
-
 std::vector<std::int64_t> first_ids(const std::vector<FlowBody>& bodies) {
   std::vector<std::int64_t> ids;
   for (const FlowBody& body : bodies) ids.push_back(body.first_id);
@@ -42,7 +36,8 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       cells_(lattice_),
       matrix_(lattice_, volume_.width() - 1),
       surfaces_(std::move(setup_.drainage), first_ids(bodies_)),
-      solver_(preconditioner(setup_, D), setup_.tolerance, setup_.solver_options),
+      solver_(setup_.preconditioner.empty() ? default_preconditioner(D) : setup_.preconditioner,
+              setup_.tolerance, setup_.solver_options),
       point_of_(std::size_t(particles), -1),
       nodal_(std::size_t(lattice_.size()), 0.0),
       earlier_(std::size_t(lattice_.size()), 0.0),

@@ -125,6 +125,8 @@ class CoupledFlow {
   double biot(std::int32_t body) const { return bodies_[std::size_t(body)].pores->biot; }
   /// Mass of the water in a particle's pores [kg].
   double fluid_mass(std::int32_t body, std::int64_t id, double volume_ratio) const;
+  /// What the water in a particle's pores has gained since t = 0 [kg], as the last points say.
+  double gained_mass(std::int32_t body, std::int64_t id) const;
   /// mass: sum of fluid_mass() over the particles.
   FluidBalance balance(double mass) const;
 

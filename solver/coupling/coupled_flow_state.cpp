@@ -33,6 +33,14 @@ double CoupledFlow<D>::fluid_mass(std::int32_t body, std::int64_t id, double vol
 }
 
 template <int D>
+double CoupledFlow<D>::gained_mass(std::int32_t body, std::int64_t id) const {
+  const FlowBody& flow = bodies_[std::size_t(body)];
+  const auto& state = state_[std::size_t(id)];
+  const double change = flow.pores->biot * (state.ratio - state.start_ratio);
+  return flow.pores->fluid_density * (flow.particle_volume * change + state.stored);
+}
+
+template <int D>
 FluidBalance CoupledFlow<D>::balance(double mass) const {
   FluidBalance balance;
   balance.mass = mass;

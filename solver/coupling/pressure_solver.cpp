@@ -4,9 +4,13 @@
 #include <fmt/format.h>
 #include <petscksp.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cctype>
+#include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
 #include <mutex>
+#include <sstream>
 
 #include "solver/base/error.hpp"
 #include "solver/base/foreign_leaks.hpp"
@@ -18,7 +22,7 @@ constexpr const char* prefix = "scree_p_";
 
 /// PETSc serves one thread at a time: runs beside each other in a process (`scree verify`) take
 /// turns.
-std::mutex petsc;
+std::recursive_mutex petsc;
 
 /// The sentence of PETSc's last error; its handler is told to be silent.
 void check(PetscErrorCode code, const char* what) {
@@ -50,56 +54,81 @@ void start_petsc() {
   });
 }
 
-/// Options that nothing in PETSc has asked for are mistakes.
-void refuse_unused_options() {
-  PetscInt count = 0;
-  char** names = nullptr;
-  char** values = nullptr;
-  check(PetscOptionsLeftGet(nullptr, &count, &names, &values), "PetscOptionsLeftGet");
-  std::string unused;
-  for (PetscInt i = 0; i < count; ++i) {
-    if (std::string(names[i]).starts_with(prefix)) unused += std::string(" -") + names[i];
+bool petsc_is_over() {
+  PetscBool over = PETSC_FALSE;
+  PetscFinalized(&over);
+  return over == PETSC_TRUE;
+}
+
+/// While it lasts, PETSc serves one solver, and every part of PETSc reads that solver's options.
+class Turn {
+ public:
+  explicit Turn(PetscOptions options) : lock_(petsc), pushed_(options != nullptr) {
+    if (pushed_) check(PetscOptionsPush(options), "PetscOptionsPush");
   }
-  PetscOptionsLeftRestore(nullptr, &count, &names, &values);
-  if (unused.empty()) return;
-  throw UserError("coupling.solver_options (or PETSC_OPTIONS): PETSc does not use" + unused +
-                  "; correct or remove it");
+  ~Turn() {
+    if (pushed_ && !petsc_is_over()) PetscOptionsPop();
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  std::lock_guard<std::recursive_mutex> lock_;
+  bool pushed_;
+};
+
+/// The options of the process with those of a deck added.
+PetscOptions make_options(const std::string& deck) {
+  PetscOptions options = nullptr;
+  check(PetscOptionsCreate(&options), "PetscOptionsCreate");
+  char* process = nullptr;
+  check(PetscOptionsGetAll(nullptr, &process), "PetscOptionsGetAll");
+  const std::string both = std::string(process) + " " + deck;
+  PetscFree(process);
+  check(PetscOptionsInsertString(options, both.c_str()), "PetscOptionsInsertString");
+  return options;
 }
 
 }  // namespace
 
 struct PressureSolver::State {
+  PetscOptions options = nullptr;
   KSP ksp = nullptr;
+  // The matrix in compressed rows; PETSc works on these arrays.
+  std::vector<PetscInt> row_begin, columns;
+  std::vector<PetscScalar> values;
   Mat matrix = nullptr;
   Vec b = nullptr, x = nullptr;
   bool set_up = false;
   bool options_used = false;  ///< it is known that PETSc has used all of them
 
   ~State() {
-    const std::lock_guard turn(petsc);
-    destroy(true);
+    if (petsc_is_over()) return;  // at the end of the process PETSc has freed all
+    {
+      const Turn turn(options);
+      destroy_system();
+      if (ksp != nullptr) KSPDestroy(&ksp);
+    }
+    if (options != nullptr) PetscOptionsDestroy(&options);
   }
 
-  void destroy(bool solver) {
-    PetscBool over = PETSC_FALSE;
-    PetscFinalized(&over);
-    if (over == PETSC_TRUE) return;  // at the end of the process PETSc has freed all
+  void destroy_system() {
     if (matrix != nullptr) MatDestroy(&matrix);
     if (b != nullptr) VecDestroy(&b);
     if (x != nullptr) VecDestroy(&x);
-    if (solver && ksp != nullptr) KSPDestroy(&ksp);
   }
 };
 
 PressureSolver::PressureSolver(const std::string& preconditioner, double tolerance,
                                const std::string& options)
     : state_(std::make_unique<State>()) {
-  const std::lock_guard turn(petsc);
-  start_petsc();
   State& s = *state_;
-  if (!options.empty()) {
-    check(PetscOptionsInsertString(nullptr, options.c_str()), "PetscOptionsInsertString");
+  {
+    const Turn turn(nullptr);
+    start_petsc();
+    s.options = make_options(options);
   }
+  const Turn turn(s.options);
   check(KSPCreate(PETSC_COMM_SELF, &s.ksp), "KSPCreate");
   check(KSPSetOptionsPrefix(s.ksp, prefix), "KSPSetOptionsPrefix");
   check(KSPSetType(s.ksp, KSPCG), "KSPSetType");
@@ -117,21 +146,16 @@ PressureSolver::~PressureSolver() = default;
 
 void PressureSolver::set_pattern(const std::vector<std::int32_t>& row_begin,
                                  const std::vector<std::int32_t>& columns) {
-  const std::lock_guard turn(petsc);
   State& s = *state_;
-  s.destroy(false);
+  const Turn turn(s.options);
+  s.destroy_system();
   const PetscInt n = PetscInt(row_begin.size()) - 1;
-  std::vector<PetscInt> rows(columns.size()), cols(columns.begin(), columns.end());
-  for (PetscInt r = 0; r < n; ++r) {
-    for (std::int32_t i = row_begin[std::size_t(r)]; i < row_begin[std::size_t(r) + 1]; ++i) {
-      rows[std::size_t(i)] = r;
-    }
-  }
-  check(MatCreate(PETSC_COMM_SELF, &s.matrix), "MatCreate");
-  check(MatSetSizes(s.matrix, n, n, n, n), "MatSetSizes");
-  check(MatSetType(s.matrix, MATSEQAIJ), "MatSetType");
-  check(MatSetPreallocationCOO(s.matrix, PetscCount(columns.size()), rows.data(), cols.data()),
-        "MatSetPreallocationCOO");
+  s.row_begin.assign(row_begin.begin(), row_begin.end());
+  s.columns.assign(columns.begin(), columns.end());
+  s.values.assign(columns.size(), 0.0);
+  check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, s.row_begin.data(), s.columns.data(),
+                                  s.values.data(), &s.matrix),
+        "MatCreateSeqAIJWithArrays");
   check(MatSetOption(s.matrix, MAT_SPD, PETSC_TRUE), "MatSetOption");
   check(VecCreateSeq(PETSC_COMM_SELF, n, &s.b), "VecCreate");
   check(VecDuplicate(s.b, &s.x), "VecDuplicate");
@@ -139,11 +163,28 @@ void PressureSolver::set_pattern(const std::vector<std::int32_t>& row_begin,
   s.set_up = false;
 }
 
-SolveReport PressureSolver::solve(const std::vector<double>& values, const std::vector<double>& b,
-                                  std::vector<double>& x) {
-  const std::lock_guard turn(petsc);
+std::string PressureSolver::unused_options() const {
+  PetscInt count = 0;
+  char** names = nullptr;
+  char** values = nullptr;
+  const Turn turn(nullptr);
+  check(PetscOptionsLeftGet(state_->options, &count, &names, &values), "PetscOptionsLeftGet");
+  std::string unused;
+  for (PetscInt i = 0; i < count; ++i) {
+    if (std::string(names[i]).starts_with(prefix)) unused += std::string(" -") + names[i];
+  }
+  PetscOptionsLeftRestore(state_->options, &count, &names, &values);
+  return unused;
+}
+
+SolveReport PressureSolver::try_solve(const std::vector<double>& values,
+                                      const std::vector<double>& b, std::vector<double>& x) {
   State& s = *state_;
-  check(MatSetValuesCOO(s.matrix, values.data(), INSERT_VALUES), "MatSetValuesCOO");
+  const Turn turn(s.options);
+  PetscScalar* entries = nullptr;
+  check(MatSeqAIJGetArrayWrite(s.matrix, &entries), "MatSeqAIJGetArrayWrite");
+  std::copy(values.begin(), values.end(), entries);
+  check(MatSeqAIJRestoreArrayWrite(s.matrix, &entries), "MatSeqAIJRestoreArrayWrite");
   check(VecPlaceArray(s.b, b.data()), "VecPlaceArray");
   check(VecPlaceArray(s.x, x.data()), "VecPlaceArray");
   check(KSPSetOperators(s.ksp, s.matrix, s.matrix), "KSPSetOperators");
@@ -166,9 +207,94 @@ SolveReport PressureSolver::solve(const std::vector<double>& values, const std::
   VecResetArray(s.x);
   check(code, "KSPSolve");
   s.set_up = true;
-  if (!s.options_used) refuse_unused_options();
+  return report;
+}
+
+SolveReport PressureSolver::solve(const std::vector<double>& values, const std::vector<double>& b,
+                                  std::vector<double>& x) {
+  State& s = *state_;
+  const SolveReport report = try_solve(values, b, x);
+  if (!s.options_used) {
+    const std::string unused = unused_options();
+    if (!unused.empty()) {
+      throw UserError("coupling.solver_options (or PETSC_OPTIONS): PETSc does not use" + unused +
+                      "; correct or remove it");
+    }
+  }
   s.options_used = true;
   return report;
+}
+
+std::string default_preconditioner(int dimension) { return dimension == 2 ? "icc" : "jacobi"; }
+
+namespace {
+
+PetscErrorCode print_nothing(FILE*, const char*, va_list) { return 0; }
+
+/// Keeps monitors and views silent.
+class Silence {
+ public:
+  Silence() : before_(PetscVFPrintf) { PetscVFPrintf = print_nothing; }
+  ~Silence() { PetscVFPrintf = before_; }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  decltype(PetscVFPrintf) before_;
+};
+
+/// The five-point stencil on n x n nodes, in compressed rows.
+void five_points(int n, std::vector<std::int32_t>& row_begin, std::vector<std::int32_t>& columns,
+                 std::vector<double>& values) {
+  row_begin.assign(1, 0);
+  for (int r = 0; r < n * n; ++r) {
+    const auto add = [&](bool there, int column, double value) {
+      if (!there) return;
+      columns.push_back(column);
+      values.push_back(value);
+    };
+    add(r >= n, r - n, -1);
+    add(r % n > 0, r - 1, -1);
+    add(true, r, 4);
+    add(r % n + 1 < n, r + 1, -1);
+    add(r + n < n * n, r + n, -1);
+    row_begin.push_back(std::int32_t(columns.size()));
+  }
+}
+
+/// " -scree_p_mg_levels_2_...": of one level.
+bool of_one_level(const std::string& option) {
+  const std::string start = std::string("-") + prefix + "mg_levels_";
+  return option.starts_with(start) && option.size() > start.size() &&
+         std::isdigit(option[start.size()]) != 0;
+}
+
+}  // namespace
+
+std::string wrong_solver_options(const std::string& preconditioner, const std::string& options) {
+  const char* process = std::getenv("PETSC_OPTIONS");
+  const bool any = process != nullptr && std::string(process).find(prefix) != std::string::npos;
+  if (options.empty() && !any) return "";
+  const Turn turn(nullptr);  // of the whole trial
+  const Silence silence;
+  std::vector<std::int32_t> row_begin, columns;
+  std::vector<double> values;
+  constexpr int nodes = 40;
+  five_points(nodes, row_begin, columns, values);
+  std::vector<double> b(std::size_t(nodes) * nodes, 1.0), x(b.size(), 0.0);
+  try {
+    PressureSolver solver(preconditioner, 1e-8, options);
+    solver.set_pattern(row_begin, columns);
+    solver.try_solve(values, b, x);
+    std::istringstream unused(solver.unused_options());
+    std::string wrong, option;
+    while (unused >> option) {
+      if (!of_one_level(option)) wrong += " " + option;
+    }
+    return wrong.empty() ? "" : "PETSc does not know" + wrong;
+  } catch (const RunFault& fault) {
+    return fault.what();
+  }
 }
 
 }  // namespace scree

@@ -16,9 +16,19 @@ struct SolveReport {
   std::string reason;   ///< PETSc's name of it
 };
 
+/// The preconditioner where none is asked for. icc needs few iterations, but to set it up takes
+/// longer than they do in 3D, where rows are long.
+std::string default_preconditioner(int dimension);
+
+/// Options that PETSc does not know, " -name" each, or its sentence about a wrong value; found by a
+/// small solve that prints nothing. `options`: of the deck; those of PETSC_OPTIONS are seen too.
+/// Options of single levels of a multigrid, which a small solve may not have, are passed over.
+std::string wrong_solver_options(const std::string& preconditioner, const std::string& options);
+
 /// Conjugate gradients for the pressure, by PETSc. PETSc starts with the first solver of the
 /// process and ends with the process. Any option of PETSc with the prefix `scree_p_` acts on it,
-/// from the deck or from the environment variable PETSC_OPTIONS.
+/// from the deck or from the environment variable PETSC_OPTIONS; those of the deck end with the
+/// solver.
 class PressureSolver {
  public:
   /// preconditioner: a PCType (icc, jacobi, gamg, hypre, ml, ...). options: PETSc's, as text.
@@ -32,9 +42,16 @@ class PressureSolver {
                    const std::vector<std::int32_t>& columns);
 
   /// Solves A x = b from the guess in x; values in the order of the pattern. Throws RunFault where
-  /// PETSc itself fails, with its message.
+  /// PETSc itself fails, with its message, and after the first solve UserError for options that
+  /// nothing has used.
   SolveReport solve(const std::vector<double>& values, const std::vector<double>& b,
                     std::vector<double>& x);
+
+  /// The same without a look at the options.
+  SolveReport try_solve(const std::vector<double>& values, const std::vector<double>& b,
+                        std::vector<double>& x);
+  /// Options with the prefix that nothing in PETSc has asked for so far, " -name" each.
+  std::string unused_options() const;
 
  private:
   struct State;

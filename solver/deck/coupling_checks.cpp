@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/coupling/pressure_solver.hpp"
 #include "solver/deck/initial_stress.hpp"
 #include "solver/deck/pore_keys.hpp"
 #include "solver/particles/shape.hpp"
@@ -31,6 +32,7 @@ class Checker {
     }
     check_method();
     check_pressure();
+    check_solver();
   }
 
  private:
@@ -142,9 +144,8 @@ class Checker {
     }
     if (deck_.method.volumetric_locking != VolumetricLocking::none) {
       report({"method", "volumetric_locking"},
-             "does not go with [coupling], whose pressures have their own, coarser grid and do not "
-             "lock",
-             "none", "remove it");
+             "does not go with [coupling], whose pressures have a grid of their own", "none",
+             "remove it");
     }
     const int spacing = deck_.coupling->pressure_spacing;
     for (int axis = 0; axis < deck_.domain.dimension; ++axis) {
@@ -164,6 +165,17 @@ class Checker {
       report({"coupling", "water_table"}, "needs a method.gravity that is along one axis at t = 0",
              "", "set method.gravity, or use initial_pressure");
     }
+  }
+
+  void check_solver() {
+    const CouplingSpec& coupling = *deck_.coupling;
+    const std::string wrong = wrong_solver_options(
+        coupling.preconditioner.empty() ? default_preconditioner(deck_.domain.dimension)
+                                        : coupling.preconditioner,
+        coupling.solver_options);
+    if (wrong.empty()) return;
+    report({"coupling", "solver_options"}, wrong, "",
+           "correct or remove it, here or in the environment variable PETSC_OPTIONS");
   }
 
   const Deck& deck_;

@@ -60,15 +60,27 @@ void SimulationImpl<D, T>::note_collider_work() {
   }
 }
 
-/// Evaluates body forces and tractions at the step's start, after following the deformation of the
-/// loaded particles over the last step.
+/// Forces on particles at the step's start.
 template <int D, class T>
 void SimulationImpl<D, T>::update_external() {
-  if (!external_) return;
-  constexpr int width = ParticleStore<D, T>::width;
+  if (layout_.external < 0) return;
   const auto start = std::chrono::steady_clock::now();
   backend_->give_particles();
-  external_work_ = external_work(external_power());
+  if (external_) {
+    external_work_ = external_work(external_power());
+    update_loads();
+  }
+  add_gained_weight();
+  if (external_) external_power_ = external_power();
+  backend_->take_aux(layout_.external, D);
+  time_phase(Phase::external, start);
+}
+
+/// Evaluates body forces and tractions, after following the deformation of the loaded particles
+/// over the last step.
+template <int D, class T>
+void SimulationImpl<D, T>::update_loads() {
+  constexpr int width = ParticleStore<D, T>::width;
   for (State& state : bodies_) {
     ParticleStore<D, T>& store = state.body->store();
     for (const auto& block : store.blocks()) {
@@ -92,9 +104,35 @@ void SimulationImpl<D, T>::update_external() {
       }
     }
   }
-  external_power_ = external_power();
-  backend_->take_aux(layout_.external, D);
-  time_phase(Phase::external, start);
+}
+
+/// Particles keep their mass; the weight of the water that they have gained since the start, or
+/// lost, is a force.
+template <int D, class T>
+void SimulationImpl<D, T>::add_gained_weight() {
+  if (!flow_ || !setup_.gravity) return;
+  constexpr int width = ParticleStore<D, T>::width;
+  const std::array<double, 3> gravity = grid_forces().gravity;
+  for (State& state : bodies_) {
+    const BodyInfo& info = state.body->info();
+    ParticleStore<D, T>& store = state.body->store();
+    const bool water = flow_->has_water(info.body_index);
+    const double per_mass = 1 / info.particle_mass();
+    executor_.pool().for_each(std::int64_t(store.blocks().size()), [&](std::int64_t n, int) {
+      const auto& block = store.blocks()[std::size_t(n)];
+      for (int i = 0; i < block.count; ++i) {
+        const std::int32_t b = block.batches[std::size_t(i / width)];
+        const std::int64_t id = store.ids(b)[i % width];
+        const double share =
+            water && id >= 0 ? flow_->gained_mass(info.body_index, id) * per_mass : 0.0;
+        T* force = store.aux_batch(b) + layout_.external * width + i % width;
+        for (int a = 0; a < D; ++a) {
+          const double load = external_ ? double(force[a * width]) : 0.0;
+          force[a * width] = T(load + share * gravity[std::size_t(a)]);
+        }
+      }
+    });
+  }
 }
 
 template class SimulationImpl<2, float>;

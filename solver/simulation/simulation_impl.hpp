@@ -81,6 +81,8 @@ class SimulationImpl final : public Simulation {
   void scatter_all(double dt);
   void average_volumes(const Parameters& pass);
   void update_external();
+  void update_loads();
+  void add_gained_weight();
   double external_power() const;
   double external_work(double power_at_end) const;
   void note_collider_work();

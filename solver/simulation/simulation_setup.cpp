@@ -183,7 +183,8 @@ AuxLayout SimulationImpl<D, T>::make_layout() const {
   if (fused_) return layout;
   layout.increment = layout.total;
   layout.total += D * D;
-  if (setup_.body_force || !setup_.tractions.empty()) {
+  const bool changing_weight = setup_.coupling && setup_.gravity;
+  if (setup_.body_force || !setup_.tractions.empty() || changing_weight) {
     layout.external = layout.total;
     layout.total += D;
   }

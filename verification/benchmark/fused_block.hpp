@@ -32,6 +32,7 @@ class FusedBlock {
   void pass() {
     if (passes_ % cycle == 0) std::copy(first_.begin(), first_.end(), data_.particles);
     data_.parameters.dt = passes_++ % 2 == 0 ? T(1e-3) : T(-1e-3);
+    data_.parameters.derive();
     Group group(data_, arena_.data());
     group.begin(0);
     g2p2g_block<Kernel, Material>(group, data_, params_);

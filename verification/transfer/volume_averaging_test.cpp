@@ -90,12 +90,13 @@ TEST_P(VolumeAveraging, total_change_of_volume_stays) {
     for (std::size_t p = 0; p < none.F.size(); ++p) {
       const double a = none.F[p].determinant(), b = fbar.F[p].determinant();
       own = std::max(own, std::abs(a - b));
-      const Matrix A = none.F[p].topLeftCorner(dimension, dimension) / std::pow(a, 1.0 / dimension);
-      const Matrix B = fbar.F[p].topLeftCorner(dimension, dimension) / std::pow(b, 1.0 / dimension);
-      shear = std::max(shear, (A - B).cwiseAbs().maxCoeff());
-      if (dimension == 2) {  // plane strain stays plane
-        EXPECT_EQ(fbar.F[p](2, 2), none.F[p](2, 2));
+      const Matrix A = none.F[p] / std::pow(a, 1.0 / dimension);
+      const Matrix B = fbar.F[p] / std::pow(b, 1.0 / dimension);
+      for (int i = 0; i < dimension * dimension; ++i) {
+        const int r = i / dimension, c = i % dimension;
+        shear = std::max(shear, std::abs(A(r, c) - B(r, c)));
       }
+      EXPECT_TRUE(dimension == 3 || fbar.F[p](2, 2) == none.F[p](2, 2));  // plane strain stays
     }
     EXPECT_GT(own, 1e-5);            // of changes of volume of about 4 5e-4
     EXPECT_LT(shear, 10 * epsilon);  // the distortion is the particle's own: rounding
@@ -185,9 +186,7 @@ TEST_P(VolumeAveraging, faces_are_seen_through) {
     EXPECT_LT(distance(cut.F, whole.F), 1e-9);  // rounding, grown in 60 steps of a stiff body
     double strain = 0;
     for (const Matrix& F : cut.F) strain = std::max(strain, std::abs(F.determinant() - 1));
-    if (face != FaceType::periodic) {
-      EXPECT_GT(strain, 1e-3) << "the body never felt the face";
-    }
+    EXPECT_TRUE(face == FaceType::periodic || strain > 1e-3) << "the body never felt the face";
   }
 }
 

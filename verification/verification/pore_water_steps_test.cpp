@@ -102,14 +102,18 @@ TEST(PoreWaterSteps, ClosedBodyThatSpinsKeepsItsVolume) {
   spin(1, 0) = rate;
   set_velocity(body, Vector::Zero(), spin, Vector(0.8, 0.8, 0));
   setup.coupling.emplace();
-  set_steps(setup, 320, 5e-4);
+  const double dt = 5e-4;
+  set_steps(setup, 320, dt);
   const Schedule schedule = setup.schedule;
   const auto simulation = Simulation::create(std::move(setup));
   run(*simulation, schedule);
   const HistoryRow row = simulation->history();
   EXPECT_GT(row.angular_momentum[2], 0.9 * 2000 * 0.64 * rate * 0.64 / 6);  // it did spin
-  // Without the carried-over part of det(I + dt grad v): (rate dt)^2 a step, 3e-2 in all.
-  EXPECT_LT(std::abs(row.fluid->error), 1e-6);
+  // What tr(dt grad v) misses of det(I + dt grad v), (rate dt)^2 of the volume a step, the next
+  // step takes back: of the pores, that of one step is left, not of 320. The body is not quite
+  // rigid: strains of rate^2 (0.4 m)^2 density/modulus, 1e-2.
+  const double pending = (rate * dt) * (rate * dt) / 0.4;
+  EXPECT_NEAR(row.fluid->error, pending, 1e-2 * pending);
   EXPECT_EQ(row.fluid->outflow, 0);
 }
 
@@ -145,19 +149,34 @@ TEST(PoreWaterSteps, UniformPressureBetweenWallsIsAtRest) {
 TEST(PoreWaterSteps, SolveThatDoesNotConvergeEndsTheRun) {
   SoilColumn column = short_column(1, 0.01);
   column.coupling.preconditioner = "jacobi";
-  column.coupling.tolerance = 1e-40;  // below rounding
+  column.coupling.solver_options = "-scree_p_ksp_max_it 2";
   const auto simulation = Simulation::create(column_setup(column));
   try {
-    simulation->step();
+    for (int i = 0; i < 10; ++i) simulation->step();
     ADD_FAILURE() << "no fault";
   } catch (const RunFault& fault) {
     const std::string text = fault.what();
-    for (const char* part :
-         {"pore pressure at t = ", "the solver stopped after ",
-          "iterations with a relative residual of ", "coupling.preconditioner"}) {
+    for (const char* part : {"pore pressure at t = ", "the solver stopped after 2 iterations",
+                             "relative residual of ", "coupling.preconditioner"}) {
       EXPECT_NE(text.find(part), std::string::npos) << text;
     }
   }
+}
+
+/// The load on the upper faces of particles on their lattice.
+TractionSetup strip_of(const std::vector<Vector>& points,
+                       const verify::cases::strip_load::Ground& ground, double between,
+                       double load) {
+  TractionSetup strip;
+  strip.spec.name = "strip";
+  strip.spec.pressure.text = std::to_string(load);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (points[p][1] < ground.height - between || points[p][0] > ground.strip) continue;
+    strip.patch.particle.push_back(std::int64_t(p));
+    strip.patch.area_vector.insert(strip.patch.area_vector.end(), {0, between, 0});
+    strip.patch.area.push_back(between);
+  }
+  return strip;
 }
 
 /// Undrained ground under a strip of load, particles off their lattice by 0.3 of their distance.
@@ -169,22 +188,13 @@ double roughness_over_exact(int spacing) {
   setup.faces[1][0] = FaceType::symmetry;
   const double between = cell / 3;
   auto points = lattice(Vector::Zero(), Vector(4, 3, 0), between, 2);
-  TractionSetup strip;
-  strip.spec.name = "strip";
-  strip.spec.pressure.text = std::to_string(load);
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p][1] < ground.height - between || points[p][0] > ground.strip) continue;
-    strip.patch.particle.push_back(std::int64_t(p));
-    strip.patch.area_vector.insert(strip.patch.area_vector.end(), {0, between, 0});
-    strip.patch.area.push_back(between);
-  }
+  setup.tractions.push_back(strip_of(points, ground, between, load));
   Random random(5);
   for (Vector& x : points) x += random.vector(0.3 * between, 2);
   BodySetup& body = add_jelly(setup, points, between, {young, poisson, density});
   body.pores.emplace();
   body.pores->porosity = 0.4;
   body.pores->fluid_modulus = 1e6 * young;
-  setup.tractions.push_back(strip);
   setup.coupling.emplace();
   setup.coupling->pressure_spacing = spacing;
   const double crossing = ground.width / std::sqrt(young / (2 * (1 + poisson)) / density);

@@ -45,7 +45,8 @@ struct Case {
   static void measure(const Run& run, Measured& out) {
     const double height = run.number("height"), fall = run.number("fall") / run.number("unit");
     const double weight = 1000 * run.number("g"), whole = weight * run.number("above");
-    const auto before = run.frame(0).field("effective_stress");
+    const ParticleFrame start = run.frame(0);
+    const auto before = start.field("effective_stress");
     double pressure_error = 0, stress_error = 0;
     for (int frame = 1; frame <= 4; ++frame) {
       const double T = 0.05 * frame;

@@ -2,13 +2,16 @@
 //
 // Consolidation at large strain under self-weight (R. E. Gibson, G. L. England, M. J. L. Hussey,
 // Geotechnique 17, 1967). At rest the water is hydrostatic below the surface, where it is drained:
-// p = rho_f g (y(H) - y). The total stress is the weight above, -rho g (H - X), particles keep
-// their mass. For a fixed-corotated solid with Poisson's ratio 0 the effective stress is E (s - 1),
-// s = dy/dX:
-//   E (s - 1) = -rho g (H - X) + rho_f g int_X^H s,    so    E s' = rho g - rho_f g s,  s(H) = 1,
-// and with rho = 2 rho_f and a = rho_f g/E: s = 2 - exp(a (H - X)), y = 2 X - (exp(a H) - exp(a (H
-// - X)))/a. Grains keep their volume, so the porosity is n = 1 - (1 - n0)/s, and the water that has
-// flowed out is H - y(H).
+// p = rho_f g (y(H) - y). Above X stand the grains, with their mass rho_s (1 - n0)(H - X), and the
+// water that is still there, rho_f n y' dX; grains keep their volume. What is left for the
+// effective stress is the buoyant weight of the grains, whatever the deformation:
+//   sigma' = -(rho_s - rho_f)(1 - n0) g (H - X) = -(rho - rho_f) g (H - X),
+// rho the density of soil and water together at the start. For a fixed-corotated solid with
+// Poisson's ratio 0 it is E (s - 1), s = dy/dX: with a = (rho - rho_f) g/E
+//   s = 1 - a (H - X),     y = X - a (H X - X^2/2).
+// The porosity is n = 1 - (1 - n0)/s, and the water that has flowed out is H - y(H) = a H^2/2.
+// Would that water leave its weight behind, the effective stress at the foot would be a seventh too
+// large.
 #pragma once
 
 #include <algorithm>
@@ -22,10 +25,8 @@ namespace scree::verify::cases::large_consolidation {
 
 struct Column {
   double height, a;  ///< m, 1/m
-  double stretch(double X) const { return 2 - std::exp(a * (height - X)); }
-  double place(double X) const {
-    return 2 * X - (std::exp(a * height) - std::exp(a * (height - X))) / a;
-  }
+  double stretch(double X) const { return 1 - a * (height - X); }
+  double place(double X) const { return X - a * (height * X - X * X / 2); }
 };
 
 struct Case {

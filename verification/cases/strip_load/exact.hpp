@@ -86,16 +86,11 @@ struct Case {
     const auto pressure = end.field("pore_pressure");
     Bins measured(run.number("spacing") * run.number("cell"), exact), right(measured);
     double deep = 0, count = 0, corner = 0;
-    std::vector<double> depth, below;
     for (std::size_t p = 0; p < end.size(); ++p) {
       const double x = end.X(p)[0], y = end.X(p)[1];
       const double value = pressure(p) / load, wanted = exact.pressure(x, y);
       measured.add(x, y, value);
       right.add(x, y, wanted);
-      if (x < run.number("cell")) {
-        depth.push_back(y / exact.height);
-        below.push_back(value);
-      }
       if (y > exact.height - exact.strip) continue;
       if (std::max(x, y) < run.number("cell")) {
         corner = std::max(corner, std::abs(value - wanted));
@@ -111,7 +106,19 @@ struct Case {
     const HistoryRow& last = run.history.back();
     out.value("rest", last.kinetic_energy / last.elastic_energy);
     out.value("water balance", std::abs(last.fluid->error));
-    std::vector<double> line, curve;
+    below_strip(run, exact, out);
+  }
+
+ private:
+  static void below_strip(const Run& run, const Ground& exact, Measured& out) {
+    const ParticleFrame end = run.frame();
+    const auto pressure = end.field("pore_pressure");
+    std::vector<double> depth, below, line, curve;
+    for (std::size_t p = 0; p < end.size(); ++p) {
+      if (end.X(p)[0] > run.number("cell")) continue;
+      depth.push_back(end.X(p)[1] / exact.height);
+      below.push_back(pressure(p) / run.number("load"));
+    }
     for (int i = 0; i <= 60; ++i) {
       line.push_back(i / 60.0);
       curve.push_back(exact.pressure(run.number("cell") / 2, line.back() * exact.height));
