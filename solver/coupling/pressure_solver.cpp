@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <petscksp.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdarg>
 #include <cstdio>
@@ -93,6 +94,9 @@ PetscOptions make_options(const std::string& deck) {
 struct PressureSolver::State {
   PetscOptions options = nullptr;
   KSP ksp = nullptr;
+  // The matrix in compressed rows; PETSc works on these arrays.
+  std::vector<PetscInt> row_begin, columns;
+  std::vector<PetscScalar> values;
   Mat matrix = nullptr;
   Vec b = nullptr, x = nullptr;
   bool set_up = false;
@@ -146,17 +150,12 @@ void PressureSolver::set_pattern(const std::vector<std::int32_t>& row_begin,
   const Turn turn(s.options);
   s.destroy_system();
   const PetscInt n = PetscInt(row_begin.size()) - 1;
-  std::vector<PetscInt> rows(columns.size()), cols(columns.begin(), columns.end());
-  for (PetscInt r = 0; r < n; ++r) {
-    for (std::int32_t i = row_begin[std::size_t(r)]; i < row_begin[std::size_t(r) + 1]; ++i) {
-      rows[std::size_t(i)] = r;
-    }
-  }
-  check(MatCreate(PETSC_COMM_SELF, &s.matrix), "MatCreate");
-  check(MatSetSizes(s.matrix, n, n, n, n), "MatSetSizes");
-  check(MatSetType(s.matrix, MATSEQAIJ), "MatSetType");
-  check(MatSetPreallocationCOO(s.matrix, PetscCount(columns.size()), rows.data(), cols.data()),
-        "MatSetPreallocationCOO");
+  s.row_begin.assign(row_begin.begin(), row_begin.end());
+  s.columns.assign(columns.begin(), columns.end());
+  s.values.assign(columns.size(), 0.0);
+  check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, s.row_begin.data(), s.columns.data(),
+                                  s.values.data(), &s.matrix),
+        "MatCreateSeqAIJWithArrays");
   check(MatSetOption(s.matrix, MAT_SPD, PETSC_TRUE), "MatSetOption");
   check(VecCreateSeq(PETSC_COMM_SELF, n, &s.b), "VecCreate");
   check(VecDuplicate(s.b, &s.x), "VecDuplicate");
@@ -182,7 +181,10 @@ SolveReport PressureSolver::try_solve(const std::vector<double>& values,
                                       const std::vector<double>& b, std::vector<double>& x) {
   State& s = *state_;
   const Turn turn(s.options);
-  check(MatSetValuesCOO(s.matrix, values.data(), INSERT_VALUES), "MatSetValuesCOO");
+  PetscScalar* entries = nullptr;
+  check(MatSeqAIJGetArrayWrite(s.matrix, &entries), "MatSeqAIJGetArrayWrite");
+  std::copy(values.begin(), values.end(), entries);
+  check(MatSeqAIJRestoreArrayWrite(s.matrix, &entries), "MatSeqAIJRestoreArrayWrite");
   check(VecPlaceArray(s.b, b.data()), "VecPlaceArray");
   check(VecPlaceArray(s.x, x.data()), "VecPlaceArray");
   check(KSPSetOperators(s.ksp, s.matrix, s.matrix), "KSPSetOperators");

@@ -165,8 +165,9 @@ void set_range(const FlowPoints<D>& points, const FlowRun<D>& run,
   double lower[D], upper[D];
   for (std::size_t a = 0; a < D; ++a) {
     const double* u = points.local[a].data();
-    lower[a] = *std::min_element(u + run.begin, u + run.end);
-    upper[a] = *std::max_element(u + run.begin, u + run.end);
+    const auto ends = std::minmax_element(u + run.begin, u + run.end);
+    lower[a] = *ends.first;
+    upper[a] = *ends.second;
   }
   const auto low = Kernel::template at<double, D>(lower);
   const auto high = Kernel::template at<double, D>(upper);
@@ -247,38 +248,29 @@ template <class Kernel, int spacing, class Scratch>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
 void VolumeOperator<D>::flush(const PressureNode<D>& cell, Scratch& scratch) {
   constexpr int reach = Scratch::reach, extent = Scratch::extent, corners = Scratch::corners;
-  constexpr int hats_axis = reach + 1;
-  std::int32_t group[power(reach, D)];
-  int hat[power(reach, D)];
+  constexpr int hats_axis = reach + 1, own = power(spacing, D);
   for (int g = 0; g < power(reach, D); ++g) {
     PressureNode<D> base = cell;
-    hat[g] = 0;
+    int first[D], hat = 0;
     for (int a = D - 1, rest = g, stride = 1; a >= 0; --a, rest /= reach, stride *= hats_axis) {
+      first[a] = rest % reach * spacing;
       base[std::size_t(a)] += rest % reach - (reach - 1);
-      hat[g] += (reach - 1 - rest % reach) * stride;
+      hat += (reach - 1 - rest % reach) * stride;
     }
-    group[g] = find_group(base);
-  }
-  for (int l = 0; l < Kernel::lattices; ++l) {
-    const auto& lower = scratch.lower[l];
-    const auto& upper = scratch.upper[l];
-    int at[D];
-    for (int a = 0; a < D; ++a) at[a] = lower[a];
-    for (bool more = true; more;) {
-      int node = l, g = 0, slot = l;
-      for (int a = 0; a < D; ++a) {
-        node = node * extent + at[a];
-        g = g * reach + at[a] / spacing;
-        slot = slot * spacing + at[a] % spacing;
+    const std::int32_t group = find_group(base);
+    if (group < 0) continue;
+    for (int s = 0; s < Kernel::lattices * own; ++s) {  // as they lie in memory
+      const int l = s / own;
+      bool reached = true;
+      int node = l * Scratch::nodes;
+      for (int a = D - 1, rest = s, stride = 1; a >= 0; --a, rest /= spacing, stride *= extent) {
+        const int at = first[a] + rest % spacing;
+        reached = reached && at >= scratch.lower[l][a] && at <= scratch.upper[l][a];
+        node += at * stride;
       }
-      more = false;
-      for (int a = D - 1; a >= 0 && !more; --a) {
-        more = at[a] < upper[a];
-        at[a] = more ? at[a] + 1 : lower[a];
-      }
-      const std::size_t place = std::size_t(group[g]) * std::size_t(slots_) + std::size_t(slot);
-      if (group[g] < 0 || record_[place] < 0) continue;
-      double* q = touched(place) + hat[g];
+      const std::size_t place = std::size_t(group) * std::size_t(slots_) + std::size_t(s);
+      if (!reached || record_[place] < 0) continue;
+      double* q = touched(place) + hat;
       for (int a = 0; a < D; ++a) {
         double* from = scratch.q[node][a];
         SCREE_UNROLL for (int k = 0; k < corners; k += 2) {

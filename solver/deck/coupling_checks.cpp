@@ -144,9 +144,8 @@ class Checker {
     }
     if (deck_.method.volumetric_locking != VolumetricLocking::none) {
       report({"method", "volumetric_locking"},
-             "does not go with [coupling], whose pressures have their own, coarser grid and do not "
-             "lock",
-             "none", "remove it");
+             "does not go with [coupling], whose pressures have a grid of their own", "none",
+             "remove it");
     }
     const int spacing = deck_.coupling->pressure_spacing;
     for (int axis = 0; axis < deck_.domain.dimension; ++axis) {

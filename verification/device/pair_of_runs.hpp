@@ -46,6 +46,21 @@ inline double largest_reaction(const std::vector<HistoryRow>& rows, std::size_t 
   return most;
 }
 
+/// The sums of work; `scale` has the largest energies.
+inline void expect_same_work(const HistoryRow& a, const HistoryRow& b, double tolerance,
+                             const HistoryRow& scale) {
+  const double energy = scale.kinetic_energy + scale.elastic_energy;
+  ASSERT_EQ(a.collider_work.size(), b.collider_work.size());
+  for (std::size_t c = 0; c < a.collider_work.size(); ++c) {
+    const double most = std::max(energy, std::abs(a.collider_work[c]));
+    EXPECT_NEAR(a.collider_work[c], b.collider_work[c], tolerance * most);
+  }
+  ASSERT_EQ(a.external_work.has_value(), b.external_work.has_value());
+  if (!a.external_work) return;
+  const double most = std::max(energy, std::abs(*a.external_work));
+  EXPECT_NEAR(*a.external_work, *b.external_work, tolerance * most);
+}
+
 /// Runs both and compares every history row, reactions included, and the final particles.
 /// tolerance: of the scene's speeds, energies and forces; lengths are about 1 m.
 inline void expect_same_run(const SimulationSetup& setup, double tolerance) {
@@ -63,6 +78,7 @@ inline void expect_same_run(const SimulationSetup& setup, double tolerance) {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     SCOPED_TRACE("row " + std::to_string(i));
     expect_near_row(rows[i], other[i], tolerance, scale);
+    expect_same_work(rows[i], other[i], tolerance, scale);
     for (std::size_t c = 0; c < rows[i].collider_force_torque.size(); ++c) {
       double most = 0;
       for (std::size_t k = 0; k < 6; ++k) most = std::max(most, largest_reaction(rows, c, k));
