@@ -7,7 +7,8 @@ from paraview.simple import *
 source, view = GetActiveSource(), GetActiveViewOrCreate("RenderView")
 reader = source
 while not hasattr(reader, "FileName") and not hasattr(reader, "FileNames"):
-    reader = reader.Input
+    above = reader.Input
+    reader = above[0] if hasattr(above, "__len__") else above
 name = reader.FileNames[0] if hasattr(reader, "FileNames") else reader.FileName
 index = os.path.join(os.path.dirname(os.path.abspath(str(name))), "colliders.pvd")
 if not os.path.exists(index):
