@@ -53,7 +53,7 @@ std::string library_sentence(const mu::Parser::exception_type& error) {
 
 std::string sentence(const mu::Parser::exception_type& error, const mu::Parser& parser,
                      const std::string& text) {
-  const std::string token = error.GetToken();
+  const std::string& token = error.GetToken();
   // At its end muParser counts a character that it has appended.
   const std::string place = at(std::min(error.GetPos(), static_cast<int>(text.size())));
   switch (error.GetCode()) {

@@ -30,8 +30,8 @@ double HeightRaster::highest() const { return *std::max_element(height_.begin(),
 
 std::array<double, 2> HeightRaster::lowest_place() const {
   const auto k = std::min_element(height_.begin(), height_.end()) - height_.begin();
-  return {center_[0] + double(k % columns_) * cell_size_,
-          center_[1] + double(k / columns_) * cell_size_};
+  const auto row = k / columns_;
+  return {center_[0] + double(k % columns_) * cell_size_, center_[1] + double(row) * cell_size_};
 }
 
 double HeightRaster::height(double x, double y, double slope[2]) const {
