@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Rough strip footing of width 2 b on weightless Tresca clay (L. Prandtl, Nachr. Ges. Wiss.
-// Goettingen, 1920; R. Hill, The Mathematical Theory of Plasticity, 1950, chapter IX): a rigid wedge
-// of 45 degrees, fans of 90 degrees about the edges and passive wedges, isochoric, give
+// Goettingen, 1920; R. Hill, The Mathematical Theory of Plasticity, 1950, chapter IX): a rigid
+// wedge of 45 degrees, fans of 90 degrees about the edges and passive wedges, isochoric, give
 //   q = (2 + pi) cu,
 // exact, since lower and upper bound agree. Mises' clay yields in plane strain at the shear stress
 // cu = sigma_y/sqrt(3).
