@@ -24,6 +24,26 @@ Wide load_any(const double* p) {
   return v;
 }
 
+/// Value and gradient [1/h] at particles of a cell, from its corners; hat[a]: those of axis a.
+template <int D>
+void interpolate(const double (&nodal)[1 << D], const Wide (&hat)[D][2], Wide& value,
+                 Wide (&gradient)[D]) {
+  value = broadcast<Wide>(0.0);
+  for (int a = 0; a < D; ++a) gradient[a] = broadcast<Wide>(0.0);
+  for (int k = 0; k < (1 << D); ++k) {
+    Wide n = broadcast<Wide>(nodal[k]);
+    for (int a = 0; a < D; ++a) {
+      Wide slope = broadcast<Wide>((k >> (D - 1 - a) & 1) != 0 ? nodal[k] : -nodal[k]);
+      for (int b = 0; b < D; ++b) {
+        if (b != a) slope = slope * hat[b][k >> (D - 1 - b) & 1];
+      }
+      gradient[a] = gradient[a] + slope;
+      n = n * hat[a][k >> (D - 1 - a) & 1];
+    }
+    value = value + n;
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -156,24 +176,12 @@ void CoupledFlow<D>::gather_run(const FlowRun<D>& run, std::int32_t body,
   }
   constexpr int width = lanes_of<Wide>;
   for (std::int64_t first = run.begin; first < run.end; first += width) {
-    Wide hat[D][2], value = broadcast<Wide>(0.0), gradient[D];
+    Wide hat[D][2], value, gradient[D];
     for (std::size_t a = 0; a < D; ++a) {
       hat[a][1] = load_any(points_.xi[a].data() + first);
       hat[a][0] = 1.0 - hat[a][1];
-      gradient[a] = broadcast<Wide>(0.0);
     }
-    for (int k = 0; k < corners; ++k) {
-      Wide n = broadcast<Wide>(nodal[k]);
-      for (int a = 0; a < D; ++a) {
-        Wide slope = broadcast<Wide>((k >> (D - 1 - a) & 1) != 0 ? nodal[k] : -nodal[k]);
-        for (int b = 0; b < D; ++b) {
-          if (b != a) slope = slope * hat[b][k >> (D - 1 - b) & 1];
-        }
-        gradient[a] = gradient[a] + slope;
-        n = n * hat[a][k >> (D - 1 - a) & 1];
-      }
-      value = value + n;
-    }
+    interpolate<D>(nodal, hat, value, gradient);
     alignas(64) double pressure[width], seepage[D][width];
     store(pressure, value);
     const Wide mobility = load_any(points_.mobility.data() + first);
