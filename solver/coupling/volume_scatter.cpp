@@ -231,7 +231,8 @@ void add_points(const FlowPoints<D>& points, std::int64_t begin, std::int64_t en
           const auto& moment = points.moments[std::size_t(first + i)];
           for (int a = 0; a < D; ++a) {
             for (int b = 0; b < D; ++b) {
-              scratch.load[n][a] += moment[std::size_t(a * D + b)] * gradient[b][i] / cell_size;
+              scratch.load[n][a] +=
+                  moment[std::size_t(a) * D + std::size_t(b)] * gradient[b][i] / cell_size;
             }
           }
         }

@@ -11,6 +11,35 @@ const std::vector<std::string>& pore_key_names() {
   return names;
 }
 
+/// How easily the water flows.
+static void add_flow_keys(Schema<MaterialSpec>& s, const std::vector<std::string>& models) {
+  s.number("permeability", &MaterialSpec::permeability, Unit::area)
+      .at_least(0)
+      .when("model", models)
+      .optional()
+      .doc("Intrinsic permeability, with fluid_viscosity; or give hydraulic_conductivity.");
+  s.number("fluid_viscosity", &MaterialSpec::fluid_viscosity, Unit::viscosity)
+      .above(0)
+      .when("model", models)
+      .optional()
+      .doc("Of the water, with permeability.");
+  s.number("hydraulic_conductivity", &MaterialSpec::hydraulic_conductivity, Unit::velocity)
+      .at_least(0)
+      .when("model", models)
+      .optional()
+      .doc(
+          "Darcy's coefficient: permeability = conductivity x viscosity / (fluid_density x 9.81 "
+          "m/s^2), whatever method.gravity is.");
+  s.flag("kozeny_carman", &MaterialSpec::kozeny_carman)
+      .when("model", models)
+      .fallback_text("false")
+      .doc("The permeability follows the porosity n as n^3/(1 - n)^2.");
+  // Without pores the echo of a deck shows nothing of them.
+  s.entries().back()->write = [](const void* m, int) {
+    return std::string(*static_cast<const bool*>(m) ? "true" : "");
+  };
+}
+
 void add_pore_keys(Schema<MaterialSpec>& s, const std::vector<std::string>& models) {
   s.number("porosity", &MaterialSpec::porosity)
       .above(0)
@@ -42,31 +71,7 @@ void add_pore_keys(Schema<MaterialSpec>& s, const std::vector<std::string>& mode
       .when("model", models)
       .fallback_text("1")
       .doc("Share of the pore pressure in the total stress, at least the porosity.");
-  s.number("permeability", &MaterialSpec::permeability, Unit::area)
-      .at_least(0)
-      .when("model", models)
-      .optional()
-      .doc("Intrinsic permeability, with fluid_viscosity; or give hydraulic_conductivity.");
-  s.number("fluid_viscosity", &MaterialSpec::fluid_viscosity, Unit::viscosity)
-      .above(0)
-      .when("model", models)
-      .optional()
-      .doc("Of the water, with permeability.");
-  s.number("hydraulic_conductivity", &MaterialSpec::hydraulic_conductivity, Unit::velocity)
-      .at_least(0)
-      .when("model", models)
-      .optional()
-      .doc(
-          "Darcy's coefficient: permeability = conductivity x viscosity / (fluid_density x 9.81 "
-          "m/s^2), whatever method.gravity is.");
-  s.flag("kozeny_carman", &MaterialSpec::kozeny_carman)
-      .when("model", models)
-      .fallback_text("false")
-      .doc("The permeability follows the porosity n as n^3/(1 - n)^2.");
-  // Without pores the echo of a deck shows nothing of them.
-  s.entries().back()->write = [](const void* m, int) {
-    return std::string(*static_cast<const bool*>(m) ? "true" : "");
-  };
+  add_flow_keys(s, models);
 }
 
 std::optional<PoreSetup> MaterialSpec::pores() const {

@@ -107,6 +107,7 @@ class ScratchFolder {
 /// Runs the script with its output in a file; the exit status, or -1 if it was killed.
 int run_script(std::vector<std::string> arguments, const std::string& output) {
   std::vector<char*> argv;
+  argv.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
