@@ -340,7 +340,7 @@ std::string FrameFile::add(double time, std::int64_t step, const std::vector<Fra
     if (file.state.frames == file.state.slots) {
       file.make_slots(std::min<std::int64_t>(file.state.slots, most_slots));
     }
-    const std::string name = file.frame_path(file.state.frames);
+    std::string name = file.frame_path(file.state.frames);
     file.put_all(name, time, step, arrays);
     return name;
   } catch (...) {
