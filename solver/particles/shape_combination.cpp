@@ -32,7 +32,7 @@ UnionShape::UnionShape(ShapeList parts, int dimension)
     : Shape(dimension), parts_(std::move(parts)) {}
 
 double UnionShape::signed_distance(const double x[3]) const {
-  double distance;
+  double distance = 0;
   extreme_part(parts_, x, 1, distance);
   return distance;
 }
@@ -43,7 +43,7 @@ bool UnionShape::inside(const double x[3]) const {
 }
 
 void UnionShape::normal(const double x[3], double n[3]) const {
-  double distance;
+  double distance = 0;
   parts_[extreme_part(parts_, x, 1, distance)]->normal(x, n);
 }
 
@@ -63,7 +63,7 @@ IntersectionShape::IntersectionShape(ShapeList parts, int dimension)
     : Shape(dimension), parts_(std::move(parts)) {}
 
 double IntersectionShape::signed_distance(const double x[3]) const {
-  double distance;
+  double distance = 0;
   extreme_part(parts_, x, -1, distance);
   return distance;
 }
@@ -74,7 +74,7 @@ bool IntersectionShape::inside(const double x[3]) const {
 }
 
 void IntersectionShape::normal(const double x[3], double n[3]) const {
-  double distance;
+  double distance = 0;
   parts_[extreme_part(parts_, x, -1, distance)]->normal(x, n);
 }
 
