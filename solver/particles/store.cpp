@@ -15,7 +15,7 @@ template <int D, class T>
 void ParticleStore<D, T>::fill_padding(std::int32_t b, int lane) {
   T* p = batch(b);
   for (int f = 0; f < fields_; ++f) {
-    p[f * width + lane] = f < D ? T(home_begin + block_cells / 2) : padding_[f];
+    p[f * width + lane] = f < D ? T(home_begin + 0.5 * block_cells) : padding_[f];
   }
   T* aux = aux_batch(b);
   for (int f = 0; f < aux_; ++f) aux[f * width + lane] = T(0);
@@ -32,7 +32,7 @@ void ParticleStore<D, T>::reserve(std::int64_t particles) {
 
 template <int D, class T>
 std::int32_t ParticleStore<D, T>::take_batch() {
-  std::int32_t b;
+  std::int32_t b = 0;
   if (!free_.empty()) {
     b = free_.back();
     free_.pop_back();
@@ -133,7 +133,7 @@ void ParticleStore<D, T>::collect(Block& block, const std::array<std::int32_t, D
 
 template <int D, class T>
 void ParticleStore<D, T>::deliver(const Outbox& outbox) {
-  const std::size_t stride = std::size_t(fields_ + aux_);
+  const std::size_t stride = std::size_t(fields_) + std::size_t(aux_);
   for (std::size_t n = 0; n < outbox.key.size(); ++n) {
     const std::int64_t s = append(outbox.key[n], outbox.id[n]);
     const T* record = outbox.record.data() + n * stride;
