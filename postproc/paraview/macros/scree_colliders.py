@@ -9,8 +9,9 @@ reader = source
 while not hasattr(reader, "FileName") and not hasattr(reader, "FileNames"):
     above = reader.Input
     reader = above[0] if hasattr(above, "__len__") else above
-name = reader.FileNames[0] if hasattr(reader, "FileNames") else reader.FileName
-index = os.path.join(os.path.dirname(os.path.abspath(str(name))), "colliders.pvd")
+name = reader.FileNames if hasattr(reader, "FileNames") else reader.FileName
+name = name if isinstance(name, str) else name[0]
+index = os.path.join(os.path.dirname(os.path.abspath(name)), "colliders.pvd")
 if not os.path.exists(index):
     raise RuntimeError(f"there is no {index}; `scree post colliders` with the run folder writes it")
 colliders = FindSource("colliders") or OpenDataFile(index, registrationName="colliders")

@@ -1,11 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """ParaView macro: the free surface of the active source: where half of the space around a point is filled, as in `scree post surface`."""
+import os
+
 from paraview.simple import *
 
 source, view = GetActiveSource(), GetActiveViewOrCreate("RenderView")
 
-# The scripts run in ParaView's pipeline, for each time; they ask the reader for the run's folder, so that a saved state serves other runs.
-COMMON = """
+# The run that the particles come from, perhaps behind filters.
+reader = source
+while not hasattr(reader, "FileName") and not hasattr(reader, "FileNames"):
+    above = reader.Input
+    reader = above[0] if hasattr(above, "__len__") else above
+name = reader.FileNames if hasattr(reader, "FileNames") else reader.FileName
+name = name if isinstance(name, str) else name[0]
+
+# The scripts run in ParaView's pipeline, for each time; they ask the reader for the run's folder, so that a saved state serves other runs. The
+# reader of XDMF files does not tell it: there it is the run of now.
+COMMON = f"folder_of_now = {os.path.dirname(os.path.abspath(name))!r}\n" + """
 def deck_of(algorithm):
     import os
     import tomllib
@@ -19,7 +30,8 @@ def deck_of(algorithm):
                 with open(os.path.join(os.path.dirname(os.path.abspath(name)), "resolved.toml"), "rb") as file:
                     return tomllib.load(file)
         algorithm = algorithm.GetInputAlgorithm(0, 0) if algorithm.GetNumberOfInputPorts() else None
-    raise RuntimeError("the particles come from no file")
+    with open(os.path.join(folder_of_now, "resolved.toml"), "rb") as file:
+        return tomllib.load(file)
 
 
 deck = deck_of(self.GetInputAlgorithm(0, 0))
