@@ -140,9 +140,9 @@ PassData<D, T> DeviceBackend<D, T>::pass_data(std::size_t body,
 
 template <int D, class T>
 void DeviceBackend<D, T>::p2g(const Parameters& parameters) {
+  if (config_.deterministic) return p2g_fixed(parameters);
   grid_.clear(grid_.current);
   if (config_.separate_force) grid_.clear(grid_.extra);
-  if (config_.deterministic) return p2g_fixed(parameters);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     kernels_->p2g(config_.kernel, config_.transfer, pass_data(i, parameters[i]),
                   particles_[i].blocks());

@@ -80,8 +80,11 @@ FixedChannels DeviceGrid<D, T>::fixed_sums(double m, double v) {
 template <int D, class T>
 void DeviceGrid<D, T>::take(const FixedChannels& sums) {
   const auto values = std::int64_t(grid_.size());
-  kernels_.from_fixed(sums, 0, values, current.data());
-  if (fixed_.size() > 1) kernels_.from_fixed(sums, 1, values, extra.data());
+  for (int i = 0; i < int(fixed_.size()); ++i) {
+    DeviceArray<T>& channel = i == 0 ? current : extra;
+    channel.resize(grid_.size());
+    kernels_.from_fixed(sums, i, values, channel.data());
+  }
 }
 
 template <int D, class T>

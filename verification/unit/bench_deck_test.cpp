@@ -6,22 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "app/bench_deck.hpp"
-#include "app/cli.hpp"
 #include "solver/base/error.hpp"
+#include "verification/unit/run_scree.hpp"
 
 namespace scree {
 namespace {
 
 const std::string column = std::string(SCREE_SOURCE_DIR) + "/inputs/tutorial/sand_column_2d.toml";
-
-int run_scree(std::vector<const char*> words, std::string& out) {
-  words.insert(words.begin(), "scree");
-  testing::internal::CaptureStdout();
-  const int status = scree_main(static_cast<int>(words.size()), words.data());
-  std::fflush(stdout);
-  out = testing::internal::GetCapturedStdout();
-  return status;
-}
 
 TEST(BenchDeck, SaysWhatTheDeckIs) {
   std::string out;

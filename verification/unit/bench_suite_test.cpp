@@ -8,8 +8,8 @@
 #include "app/bench_case.hpp"
 #include "app/bench_suite.hpp"
 #include "app/bench_suite_text.hpp"
-#include "app/cli.hpp"
 #include "solver/simulation/simulation.hpp"
+#include "verification/unit/run_scree.hpp"
 
 namespace scree {
 namespace {
@@ -18,15 +18,6 @@ using Json = nlohmann::json;
 
 // Numbers are printed with all digits: quotients differ by their own rounding.
 constexpr double rounding = 1e-12;
-
-int run_scree(std::vector<const char*> words, std::string& out) {
-  words.insert(words.begin(), "scree");
-  testing::internal::CaptureStdout();
-  const int status = scree_main(static_cast<int>(words.size()), words.data());
-  std::fflush(stdout);
-  out = testing::internal::GetCapturedStdout();
-  return status;
-}
 
 /// The quick suite with one and two threads, run once for all tests.
 const Json& suite() {
