@@ -6,6 +6,7 @@
 
 #include "solver/coupling/pressure_solver.hpp"
 #include "solver/deck/initial_stress.hpp"
+#include "solver/deck/key_text.hpp"
 #include "solver/deck/pore_keys.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -53,10 +54,9 @@ class Checker {
       place.pop_back();
       value = find(place);
     }
-    std::string key;
-    for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
     const bool shown = place.size() == path.size() && !value->is(Value::Kind::table);
-    problems_.add({value->position, key, shown ? to_toml(*value) : "", message, allowed, repair});
+    problems_.add(
+        {value->position, key_text(path), shown ? to_toml(*value) : "", message, allowed, repair});
   }
 
   void check_material(const MaterialSpec& material) {

@@ -9,6 +9,7 @@
 #include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
 #include "solver/deck/initial_stress.hpp"
+#include "solver/deck/key_text.hpp"
 #include "solver/deck/particle_faults.hpp"
 #include "solver/deck/record_faults.hpp"
 #include "solver/particles/sampling.hpp"
@@ -60,12 +61,6 @@ class Checker {
       value = next;
     }
     return *value;
-  }
-
-  static std::string key_text(const std::vector<std::string>& path) {
-    std::string key;
-    for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
-    return key;
   }
 
   void report(const std::vector<std::string>& path, const std::string& message,

@@ -10,6 +10,7 @@
 
 #include "solver/deck/coupling_checks.hpp"
 #include "solver/deck/expression.hpp"
+#include "solver/deck/key_text.hpp"
 #include "solver/particles/shape.hpp"
 
 namespace scree {
@@ -44,12 +45,6 @@ std::optional<std::string> fault_of(const Formula& formula, Depends depends, int
   return std::nullopt;
 }
 
-std::string dotted(const std::vector<std::string>& path) {
-  std::string key;
-  for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
-  return key;
-}
-
 /// Collects the faults of one body.
 class Finder {
  public:
@@ -58,7 +53,7 @@ class Finder {
 
   void formulas(const std::vector<std::string>& path, const std::array<Formula, 3>& components,
                 Depends depends, const std::vector<std::int64_t>& particles = {}) {
-    if (problems_.any_under(dotted(path))) return;
+    if (problems_.any_under(key_text(path))) return;
     for (const Formula& formula : components) {
       const auto fault =
           fault_of(formula, depends, deck_.domain.dimension, particles_.position, particles);
@@ -69,7 +64,7 @@ class Finder {
   }
 
   void traction(const TractionSpec& spec) {
-    const std::string key = dotted({"traction", spec.name});
+    const std::string key = key_text({"traction", spec.name});
     for (const char* needed : {".region", ".facing"}) {
       if (problems_.any_under(key + needed)) return;
     }
@@ -87,7 +82,7 @@ class Finder {
   }
 
   void drainage(const DrainageSpec& spec) {
-    const std::string key = dotted({"drainage", spec.name});
+    const std::string key = key_text({"drainage", spec.name});
     if (problems_.any_under(key) || problems_.any_under("boundary")) return;
     const std::vector<DrainedFace> faces = drained_faces(deck_, spec, particles_);
     if (faces.empty()) {
@@ -143,7 +138,7 @@ class Finder {
 
 }  // namespace
 
-std::string BodyFault::key() const { return dotted(path); }
+std::string BodyFault::key() const { return key_text(path); }
 
 std::string point_text(const std::array<double, 3>& x, int dimension) {
   std::string text;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/base/value.hpp"
+#include "solver/deck/key_text.hpp"
 #include "solver/deck/particle_faults.hpp"
 #include "solver/particles/shape.hpp"
 
@@ -30,9 +31,7 @@ class Finder {
 
  private:
   bool faulty(const std::vector<std::string>& path) const {
-    std::string key;
-    for (const std::string& part : path) key += (key.empty() ? "" : ".") + toml_key(part);
-    return problems_.any_under(key);
+    return problems_.any_under(key_text(path));
   }
 
   std::string domain_text() const {
