@@ -48,6 +48,7 @@ class CudaGroup : private Summation<D, T> {
   using V = T;
   using Int = IntOf<V>;
   using Batch = CudaBatch;
+  using BatchSet = scree::BatchSet<Batch, 1>;
   using Shape = ArenaShape<Kernel, D>;
   using Arena = CudaArena<D, Value, Kernel, Reads, Sums>;
   static constexpr int dimension = D;
@@ -102,6 +103,11 @@ class CudaGroup : private Summation<D, T> {
       f(Batch{lane});
       lane += device::threads();
     }
+  }
+
+  template <class F>
+  SCREE_FN void each_set(F&& f) {
+    each_batch([&](const Batch& b) { f(BatchSet{{b}, 1}); });
   }
 
   SCREE_FN V load(const Batch& b, int field) const {

@@ -344,7 +344,10 @@ void expect_transposed() {
   }
   Transpose::to_lanes(records, back);
   for (int i = 0; i < count; ++i) EXPECT_EQ(back[i], quantities[i]);
-  Transpose::to_quads(quantities, records);
+  using V = RegisterLanes<T>;
+  V quad[4];
+  for (int q = 0; q < 4; ++q) quad[q] = load<V>(quantities + q * width);
+  Transpose::to_quads(quad[0], quad[1], quad[2], quad[3], records);
   for (int l = 0; l < width; ++l) {
     for (int q = 0; q < 4; ++q) {
       EXPECT_EQ(records[Transpose::quad_place(l) + q], T(100 * q + l)) << "lane " << l;
