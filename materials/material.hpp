@@ -60,6 +60,13 @@ struct InadmissibleText {
 ///         False where the state has left the domain of the law (det F <= 0): the run ends with a
 ///         fault.
 ///
+/// A law whose stress is a function of its state may give the step in two parts, and kirchhoff as
+/// one after the other: a step then stores the state before it works out the stress, which on a
+/// GPU leaves more registers.
+///
+///     void advance(const Params<T>&, State<V>&, const Mat3<V>& L);
+///     Sym3<V> stress(const Params<T>&, const State<V>&);
+///
 /// Optional: `V yield_value(const Params<T>&, const State<V>&)`, the yield function over a scale of
 /// stress, at most 0 inside; `V void_ratio(...)`; `V momentum_diffusivity(...)` [m^2/s] of a law
 /// with explicit viscosity, which limits the time step; and the constants `effective_stress` (may
@@ -83,6 +90,13 @@ concept Material = requires(const typename M::Input& input) {
   requires std::is_trivially_copyable_v<typename M::template State<double>>;
   requires std::is_aggregate_v<typename M::template State<double>>;
   requires sizeof(typename M::template State<float>) % sizeof(float) == 0;
+};
+
+/// Whether a law gives its step in two parts.
+template <class M, class V, class T>
+inline constexpr bool stress_of_state = requires(const typename M::template Params<T>& params,
+                                                 const typename M::template State<V>& s) {
+  M::stress(params, s);
 };
 
 /// Lame constants of an isotropic solid [Pa].
