@@ -17,6 +17,7 @@ namespace scree {
 struct FixedCorotated {
   static constexpr const char* name = "fixed_corotated";
   static constexpr bool effective_stress = true;
+  static constexpr bool long_chains = true;
 
   struct Input {
     double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< Pa

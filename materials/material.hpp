@@ -71,7 +71,9 @@ struct InadmissibleText {
 /// stress, at most 0 inside; `V void_ratio(...)`; `V momentum_diffusivity(...)` [m^2/s] of a law
 /// with explicit viscosity, which limits the time step; and the constants `effective_stress` (may
 /// carry pore water), `hyperelastic = false` (the elastic stress is no derivative of
-/// energy_density) and `explicit_hardening = true` (the yield surface moves after the return).
+/// energy_density), `explicit_hardening = true` (the yield surface moves after the return) and
+/// `long_chains = true` (eigenproblem, logarithms: most operations wait for the one before, so that
+/// a processor does better with two batches at a time).
 ///
 /// Optional functions of the Input, for decks; MaterialEntry says what they mean: `double
 /// rest_ratio(const Input&)`; `std::optional<State<double>> state_under(const Input&, const
@@ -98,6 +100,13 @@ inline constexpr bool stress_of_state = requires(const typename M::template Para
                                                  const typename M::template State<V>& s) {
   M::stress(params, s);
 };
+
+/// Number of batches whose update a processor interleaves.
+template <class M>
+inline constexpr int batches_together = requires {
+  requires M::long_chains;
+}
+? 2 : 1;
 
 /// Lame constants of an isotropic solid [Pa].
 struct LameConstants {

@@ -40,6 +40,7 @@ namespace scree {
 struct ModifiedCamClay {
   static constexpr const char* name = "modified_cam_clay";
   static constexpr bool effective_stress = true;
+  static constexpr bool long_chains = true;
   /// The stress is no derivative of energy_density: see above.
   static constexpr bool hyperelastic = false;
   static constexpr InadmissibleText inadmissible{

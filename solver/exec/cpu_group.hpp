@@ -15,8 +15,8 @@
 
 namespace scree {
 
-/// One batch of a block, as many particles as a register has lanes: pointers to the first of them in
-/// each field and the number of lanes that hold particles.
+/// One batch of a block, as many particles as a register has lanes: pointers to the first of them
+/// in each field and the number of lanes that hold particles.
 template <class T>
 struct CpuBatch {
   T* particle;
@@ -41,7 +41,7 @@ class CpuGroup {
   using V = RegisterLanes<T>;
   using Int = IntOf<V>;
   using Batch = CpuBatch<T>;
-  using BatchSet = scree::BatchSet<Batch, 2>;
+  static constexpr int max_set = 2;
   using Shape = ArenaShape<Kernel, D>;
   static constexpr int dimension = D;
   static constexpr int width = lanes_of<V>;
@@ -103,24 +103,32 @@ class CpuGroup {
     }
   }
 
-  /// The same for two batches at a time.
-  template <class F>
+  /// The same for `size` batches at a time, one or two.
+  template <int size, class F>
   void each_set(F&& f) {
-    const int count = begin_batches();
-    for (int n = 0; n < count; n += 2) {
-      for (int next = n + 2; next < count && next < n + 4; next += pieces) prefetch(next / pieces);
-      BatchSet set{{batch(n), batch(n)}, 1};
-      set.batch[1].active = 0;
-      if (n + 1 < count) {
-        set.batch[1] = batch(n + 1);
-        set.parts = 2;
+    if constexpr (size == 1) {
+      each_batch([&](const Batch& b) __attribute__((always_inline)) {
+        f(BatchSet<Batch, 1>{{b}, 1});
+      });
+    } else {
+      const int count = begin_batches();
+      for (int n = 0; n < count; n += 2) {
+        for (int i = n + 2; i < count && i < n + 4; i += pieces) prefetch(i / pieces);
+        BatchSet<Batch, 2> set{{batch(n), batch(n)}, 1};
+        set.batch[1].active = 0;
+        if (n + 1 < count) {
+          set.batch[1] = batch(n + 1);
+          set.parts = 2;
+        }
+        f(set);
       }
-      f(set);
     }
   }
 
   V load(const Batch& b, int field) const { return scree::load<V>(b.particle + field * stored); }
-  void store(const Batch& b, int field, const V& x) { scree::store(b.particle + field * stored, x); }
+  void store(const Batch& b, int field, const V& x) {
+    scree::store(b.particle + field * stored, x);
+  }
   /// x, what the store holds in that field: a group short of registers reads it anew.
   V load_again(const Batch&, int, const V& x) const { return x; }
   V load_aux(const Batch& b, int field) const { return scree::load<V>(b.aux + field * stored); }

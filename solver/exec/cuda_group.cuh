@@ -48,7 +48,7 @@ class CudaGroup : private Summation<D, T> {
   using V = T;
   using Int = IntOf<V>;
   using Batch = CudaBatch;
-  using BatchSet = scree::BatchSet<Batch, 1>;
+  static constexpr int max_set = 1;
   using Shape = ArenaShape<Kernel, D>;
   using Arena = CudaArena<D, Value, Kernel, Reads, Sums>;
   static constexpr int dimension = D;
@@ -105,9 +105,10 @@ class CudaGroup : private Summation<D, T> {
     }
   }
 
-  template <class F>
+  template <int size, class F>
   SCREE_FN void each_set(F&& f) {
-    each_batch([&](const Batch& b) { f(BatchSet{{b}, 1}); });
+    static_assert(size == max_set);
+    each_batch([&](const Batch& b) { f(BatchSet<Batch, 1>{{b}, 1}); });
   }
 
   SCREE_FN V load(const Batch& b, int field) const {

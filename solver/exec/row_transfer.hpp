@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+
 #include "solver/base/pack.hpp"
 #include "solver/exec/node_row.hpp"
 #include "solver/exec/transpose.hpp"
@@ -26,12 +28,12 @@ class RowTransfer {
   static constexpr int width = lanes_of<V>;
 
   /// velocity = sum over both lattices of w v; affine = sum of w v (x_i - x_p)^T.
-  static inline void gather(const T* rows, const Points& p, V (&velocity)[D], V (&affine)[D][D]) {
+  static SCREE_FN void gather(const T* rows, const Points& p, V (&velocity)[D], V (&affine)[D][D]) {
     alignas(64) T weights[weight_rows * quads];
     alignas(64) T sums[(D + 2) * quads];
     alignas(64) Index base[2][width];
     row_weights(p, weights);
-    SCREE_UNROLL for (int k = 0; k < 2; ++k) scree::store(base[k], p.base[k] << shift);
+    store_places(p, base);
     for (int r = 0; r < width / together; ++r) {
       Row all[together];   // both lattices
       Row far[together];   // of these, one node up on the first axis (3D)
@@ -39,8 +41,8 @@ class RowTransfer {
       each_index<together>([&](auto j) __attribute__((always_inline)) {
         const int l = Transpose::quad_lane(r, j);
         const Weights<j> w{weights + r * Row::lanes};
-        const T* minus_row = rows + base[0][l];
-        const T* plus_row = rows + base[1][l];
+        const T* minus_row = row_at(rows, base[0][l]);
+        const T* plus_row = row_at(rows, base[1][l]);
         if constexpr (D == 2) {
           plus[j] = w.of(1) * cell(plus_row);
           all[j] = multiply_add(w.of(0), cell(minus_row), plus[j]);
@@ -59,13 +61,13 @@ class RowTransfer {
 
   /// Adds w (q + A (x_i - x_p)) and mass w m for the lanes of `mask` (1 or 0) to the nodes of both
   /// lattices.
-  static inline void scatter(T* rows, const Points& p, const V (&q)[D], const V& mass,
-                             const V (&affine)[D][D], const V& mask) {
+  static SCREE_FN void scatter(T* rows, const Points& p, const V (&q)[D], const V& mass,
+                               const V (&affine)[D][D], const V& mask) {
     alignas(64) T weights[weight_rows * quads];
     alignas(64) T records[(D + 2) * quads];
     alignas(64) Index base[2][width];
     row_weights(p, weights);
-    SCREE_UNROLL for (int k = 0; k < 2; ++k) scree::store(base[k], p.base[k] << shift);
+    store_places(p, base);
     particle_records(p, q, mass, affine, mask > T(0), records);
     const Row high = Row::load(upper_nodes.value);
     const Row odd = Row::load(odd_nodes.value);
@@ -80,14 +82,14 @@ class RowTransfer {
         const Row slope = multiply_add(quad(D), high, quad(D + 1) * odd);
         const Row minus = quad(0) + slope;
         const Row plus = quad(1) + slope;
-        add(rows + base[0][l], w.of(0), minus);
+        add(row_at(rows, base[0][l]), w.of(0), minus);
         if constexpr (D == 2) {
-          add(rows + base[1][l], w.of(1), plus);
+          add(row_at(rows, base[1][l]), w.of(1), plus);
         } else {
           const Row step = quad(2);
-          add(rows + base[0][l] + plane, w.of(1), minus + step);
-          add(rows + base[1][l], w.of(2), plus);
-          add(rows + base[1][l] + plane, w.of(3), plus + step);
+          add(row_at(rows, base[0][l]) + plane, w.of(1), minus + step);
+          add(row_at(rows, base[1][l]), w.of(2), plus);
+          add(row_at(rows, base[1][l]) + plane, w.of(3), plus + step);
         }
       });
     }
@@ -97,8 +99,18 @@ class RowTransfer {
   using Row = NodeRow<T>;
   using Index = Scalar<IntOf<V>>;
   using Transpose = LaneTranspose<T>;
-  static constexpr int shift = stride == 4 ? 2 : stride == 8 ? 3 : 4;
-  static_assert(stride == 1 << shift);
+  /// Places of rows in bytes: as they are used in addresses, without a shift for each.
+  static constexpr int shift = std::countr_zero(unsigned(stride * sizeof(T)));
+  static_assert(stride * sizeof(T) == 1u << shift);
+  static SCREE_FN void store_places(const Points& p, Index (&base)[2][width]) {
+    SCREE_UNROLL for (int k = 0; k < 2; ++k) scree::store(base[k], p.base[k] << shift);
+  }
+  static SCREE_FN const T* row_at(const T* rows, Index place) {
+    return reinterpret_cast<const T*>(reinterpret_cast<const char*>(rows) + place);
+  }
+  static SCREE_FN T* row_at(T* rows, Index place) {
+    return reinterpret_cast<T*>(reinterpret_cast<char*>(rows) + place);
+  }
 
   static constexpr int together = Row::part_quads;  ///< particles whose quads share a register
   static constexpr int quads = 4 * width;           ///< numbers of one quad of all particles
@@ -121,7 +133,7 @@ class RowTransfer {
   }
 
   /// Quads of node weights in the order in which rows are used: lattice, then first axis (3D).
-  static inline void row_weights(const Points& p, T* weights) {
+  static SCREE_FN void row_weights(const Points& p, T* weights) {
     for (int k = 0; k < 2; ++k) {
       const auto& w = p.weight[k];
       V cell[4];
@@ -172,8 +184,9 @@ class RowTransfer {
 
   /// Quads of all particles: {momentum at the lowest node of lattice 0, mass}, the same for
   /// lattice 1, then the columns of A. Lanes outside `live` add nothing.
-  static inline void particle_records(const Points& p, const V (&q)[D], const V& mass,
-                                      const V (&affine)[D][D], const MaskOf<V>& live, T* records) {
+  static SCREE_FN void particle_records(const Points& p, const V (&q)[D], const V& mass,
+                                        const V (&affine)[D][D], const MaskOf<V>& live,
+                                        T* records) {
     const V none = broadcast<V>(T(0));
     V slope[D][3];
     V lowest[2][3];

@@ -36,7 +36,7 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
   using typename Base::Shape;
   using typename Base::V;
   using Batch = StrictBatch<T>;
-  using BatchSet = scree::BatchSet<Batch, 1>;
+  static constexpr int max_set = 1;
   using Base::arena_values;
   using Base::block_origin;
   using Base::channels;
@@ -109,9 +109,10 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
     }
   }
 
-  template <class F>
+  template <int size, class F>
   void each_set(F&& f) {
-    each_batch([&](const Batch& b) { f(BatchSet{{b}, 1}); });
+    static_assert(size == max_set);
+    each_batch([&](const Batch& b) { f(BatchSet<Batch, 1>{{b}, 1}); });
   }
 
   V load(const Batch& b, int field) const {

@@ -22,7 +22,7 @@ template <class G>
 class PairedGroup {
  public:
   using V = Pack<typename G::Real, 2 * lanes_of<typename G::V>>;
-  using Batch = typename G::BatchSet;
+  using Batch = BatchSet<typename G::Batch, 2>;
 
   SCREE_FN explicit PairedGroup(G& group) : g_(group) {}
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
 #include "solver/step/batch_pair.hpp"
 #include "solver/step/particle_ops.hpp"
 #include "solver/step/transfer.hpp"
@@ -89,7 +91,8 @@ SCREE_FN void stress_block(G& g, const PassData<D, T>& data,
 template <class V, int D>
 struct Underway {
   V u[D];
-  Motion<V, D> motion;
+  V velocity[D];
+  V affine[D][D];
   Mat3<V> increment;  ///< dt grad v
   V live;
 };
@@ -98,11 +101,18 @@ struct Underway {
 template <class Kernel, class G, class V, int D, class T>
 SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassParameters<T>& par,
                               Underway<V, D>& p) {
-  load_position(g, b, p.u);
-  Mls<Kernel>::gather(g, Kernel::template at<V, D>(p.u), par.flip_blend, p.motion);
-  p.live = move_particle(g, b, par, p.motion, p.u);
-  for (int c = 0; c < D; ++c) g.store(b, c, p.u[c]);
-  p.increment = gradient_increment(p.motion, step_over_cell<V>(g, b, par));
+  V u[D];
+  load_position(g, b, u);
+  Motion<V, D> motion;
+  Mls<Kernel>::gather(g, Kernel::template at<V, D>(u), par.flip_blend, motion);
+  p.live = move_particle(g, b, par, motion, u);
+  for (int c = 0; c < D; ++c) {
+    g.store(b, c, u[c]);
+    p.u[c] = u[c];
+    p.velocity[c] = motion.velocity[c];
+    for (int a = 0; a < D; ++a) p.affine[c][a] = motion.affine[c][a];
+  }
+  p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
 }
 
 /// Scatters with the stress tau [Pa].
@@ -110,25 +120,30 @@ template <class Kernel, class G, class V, int D, class T>
 SCREE_FN void return_to_grid(G& g, const typename G::Batch& b, const PassData<D, T>& data,
                              const Underway<V, D>& p, const Sym3<V>& tau) {
   const PassParameters<T>& par = data.parameters;
+  V u[D];
+  Motion<V, D> motion;
+  for (int c = 0; c < D; ++c) {
+    u[c] = g.load_again(b, c, p.u[c]);
+    motion.velocity[c] = p.velocity[c];
+    for (int a = 0; a < D; ++a) motion.affine[c][a] = p.affine[c][a];
+  }
   if (par.record) {
-    store_motion(g, b, data.layout, p.motion);
+    store_motion(g, b, data.layout, motion);
     store_stress(g, b, data.layout, tau);
   }
-  V u[D];
-  for (int c = 0; c < D; ++c) u[c] = g.load_again(b, c, p.u[c]);
-  Mls<Kernel>::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, p.motion,
+  Mls<Kernel>::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion,
                        make_impulse<V, D>(par, tau), false, p.live);
 }
 
 /// The material update of the batches of a set together.
-template <class Material, class G, class V, int D, class T>
-SCREE_FN auto update_together(G& g, const typename G::BatchSet& set, const PassParameters<T>& par,
+template <class Material, class G, class V, int D, class T, int n>
+SCREE_FN auto update_together(G& g, const BatchSet<typename G::Batch, n>& set,
+                              const PassParameters<T>& par,
                               const typename Material::template Params<T>& material,
-                              const Underway<V, D> (&p)[G::BatchSet::size]) {
-  constexpr int n = G::BatchSet::size;
+                              const Underway<V, D> (&p)[n]) {
   if constexpr (n == 1) {
     return update_material<Material>(g, set.batch[0], par, material, p[0].increment, p[0].u,
-                                     p[0].motion.velocity);
+                                     p[0].velocity);
   } else {
     using W = typename PairedGroup<G>::V;
     PairedGroup<G> both(g);
@@ -142,7 +157,7 @@ SCREE_FN auto update_together(G& g, const typename G::BatchSet& set, const PassP
     }
     for (int c = 0; c < D; ++c) {
       u[c] = {p[0].u[c], p[1].u[c]};
-      velocity[c] = {p[0].motion.velocity[c], p[1].motion.velocity[c]};
+      velocity[c] = {p[0].velocity[c], p[1].velocity[c]};
     }
     return update_material<Material>(both, set, par, material, increment, u, velocity);
   }
@@ -159,8 +174,8 @@ SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
   g.stage_in(0);
   g.clear(0);
   g.sync();
-  g.each_set([&](const typename G::BatchSet& set) {
-    constexpr int size = G::BatchSet::size;
+  constexpr int size = std::min(G::max_set, batches_together<Material>);
+  g.template each_set<size>([&](const BatchSet<typename G::Batch, size>& set) {
     Underway<V, D> p[size];
     for (int i = 0; i < set.parts; ++i) gather_and_move<Kernel>(g, set.batch[i], par, p[i]);
     if (set.parts < size) p[size - 1] = p[0];

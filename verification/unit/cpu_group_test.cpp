@@ -265,7 +265,7 @@ TYPED_TEST(CpuGroupTest, AffineTransfersAreTheSumOverTheLattices) {
 using Plain = CpuGroup<2, double, Compact>;
 using V = Plain::V;
 
-/// 11 particles: a full batch of 8 and one with 3, ids 0 .. 10; the id picks the lanes.
+/// 11 particles: full batches and one that is not, ids 0 .. 10; the id picks the lanes.
 struct CpuGroupResult : ::testing::Test {
   BlockScene<2, double> scene{Compact::lattices, {11}, 5};
   PassData<2, double> data = scene.data();
