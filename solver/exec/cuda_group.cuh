@@ -10,6 +10,7 @@
 #include "solver/exec/arena.hpp"
 #include "solver/exec/cuda_leaves.cuh"
 #include "solver/exec/cuda_sums.cuh"
+#include "solver/step/batch_pair.hpp"
 #include "solver/step/pass_data.hpp"
 #include "solver/transfer/stencil.hpp"
 
