@@ -45,10 +45,11 @@ struct FoldLines {
   const std::int64_t* ghost = nullptr;  ///< record indices
   const std::int64_t* image = nullptr;
   const std::int32_t* side = nullptr;
-  std::int8_t* folded = nullptr;  ///< per pair: the ghost follows its image
+  std::int8_t* folded = nullptr;  ///< a PairState per pair
   int axis = 0;
   FaceType type[2] = {FaceType::open, FaceType::open};
   double friction[2] = {0, 0};
+  NoSlip no_slip = NoSlip::node;
 };
 
 /// Nodes within colliders. Contacts of node n are begin[n] .. begin[n + 1] - 1, in the colliders'
@@ -118,10 +119,10 @@ class DeviceKernels {
 
   /// Adds dt g (and the impulses of q) to the momenta; *mass: sum over all nodes / lattices.
   virtual void add_forces(const NodePass<T>&, int lattices, double* block_mass, double* mass) = 0;
-  /// held: sticky faces, else all others.
-  virtual void fold(const FoldLines&, bool held, T* p, T* before) = 0;
+  /// Faces of one stage, see fold_stage.
+  virtual void fold(const FoldLines&, int stage, T* p, T* before) = 0;
   virtual void fold_periodic(const FoldLines&, T* p) = 0;
-  virtual void unfold(const FoldLines&, bool held, T* p, T* q) = 0;
+  virtual void unfold(const FoldLines&, int stage, T* p, T* q) = 0;
   virtual void divide(const NodePass<T>&) = 0;
   /// q <- p - q.
   virtual void subtract(const NodePass<T>&) = 0;

@@ -58,16 +58,16 @@ class KernelsOf final : public DeviceKernels<D, T> {
     launch("sum_up", kernels::sum_up<double>, 1, block_threads, block_mass, pass.blocks,
            1.0 / lattices, mass);
   }
-  void fold(const FoldLines& lines, bool held, T* p, T* before) override {
-    launch("fold", kernels::fold<D, T>, blocks_for(lines.lines), block_threads, lines, held, p,
+  void fold(const FoldLines& lines, int stage, T* p, T* before) override {
+    launch("fold", kernels::fold<D, T>, blocks_for(lines.lines), block_threads, lines, stage, p,
            before);
   }
   void fold_periodic(const FoldLines& lines, T* p) override {
     launch("fold_periodic", kernels::fold_periodic<T>, blocks_for(lines.lines), block_threads,
            lines, p);
   }
-  void unfold(const FoldLines& lines, bool held, T* p, T* q) override {
-    launch("unfold", kernels::unfold<D, T>, blocks_for(lines.lines), block_threads, lines, held, p,
+  void unfold(const FoldLines& lines, int stage, T* p, T* q) override {
+    launch("unfold", kernels::unfold<D, T>, blocks_for(lines.lines), block_threads, lines, stage, p,
            q);
   }
   void divide(const NodePass<T>& pass) override {

@@ -153,6 +153,7 @@ Faces<D> SimulationImpl<D, T>::make_faces() const {
     faces.type[a] = setup_.faces[a];
     faces.friction[a] = setup_.face_friction[a];
   }
+  faces.no_slip = setup_.no_slip;
   return faces;
 }
 
