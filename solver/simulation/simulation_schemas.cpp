@@ -99,7 +99,8 @@ Schema<TimeSpec> make_time_schema() {
       .fallback(0.4)
       .doc(
           "Step length as a fraction of cell_size / max(wave speed + particle speed). Fluids have "
-          "another bound, that of drops on their own: with the compact kernel and mls 0.32 in 3D.");
+          "another bound, that of drops on their own: with the compact kernel and mls 0.257 in "
+          "3D.");
   s.number("step", &TimeSpec::step, Unit::time)
       .above(0)
       .doc(
