@@ -91,6 +91,16 @@ struct ParticlePools {
   std::int32_t aux_fields = 0;
 };
 
+/// Chosen particles of a body, and a row of values for each: position, velocity, increment and
+/// external force.
+template <class T>
+struct ChosenRows {
+  const std::int64_t* ids = nullptr;  ///< ascending
+  std::int32_t* lane = nullptr;       ///< of each; -1: gone
+  T* rows = nullptr;
+  std::int32_t count = 0;
+};
+
 /// What is launched on a device, on plain pointers to its memory. `blocks`: those of a body.
 template <int D, class T>
 class DeviceKernels {
@@ -134,6 +144,13 @@ class DeviceKernels {
   virtual void move(const ParticlePools<T>& from, const ParticlePools<T>& to, int blocks,
                     const std::int32_t* order, const std::int32_t* first,
                     const std::int32_t* counts, const std::int32_t* batch_begin) = 0;
+
+  /// The lanes of chosen particles, where their particle is there; others are left alone.
+  virtual void find_chosen(const PassData<D, T>&, int blocks, const ChosenRows<T>&) = 0;
+  /// Fills the rows of those that are there.
+  virtual void read_chosen(const PassData<D, T>&, const ChosenRows<T>&) = 0;
+  /// Takes the external forces of those that are there, D a row.
+  virtual void write_chosen(const PassData<D, T>&, const ChosenRows<T>&) = 0;
 };
 
 /// The passes with code of one law.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "solver/device/chosen_kernels.cuh"
 #include "solver/device/grid_kernels.cuh"
 #include "solver/device/particle_kernels.cuh"
 #include "solver/device/split.cuh"
@@ -107,6 +108,17 @@ class KernelsOf final : public DeviceKernels<D, T> {
             const std::int32_t* batch_begin) override {
     launch("move", kernels::move<T>, blocks, block_threads, from, to, order, first, counts,
            batch_begin);
+  }
+  void find_chosen(const PassData<D, T>& data, int blocks, const ChosenRows<T>& chosen) override {
+    launch("find_chosen", kernels::find_chosen<D, T>, blocks, block_threads, data, chosen);
+  }
+  void read_chosen(const PassData<D, T>& data, const ChosenRows<T>& chosen) override {
+    launch("read_chosen", kernels::read_chosen<D, T>, blocks_for(chosen.count), block_threads, data,
+           chosen);
+  }
+  void write_chosen(const PassData<D, T>& data, const ChosenRows<T>& chosen) override {
+    launch("write_chosen", kernels::write_chosen<D, T>, blocks_for(chosen.count), block_threads,
+           data, chosen);
   }
 
  private:
