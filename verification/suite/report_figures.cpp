@@ -136,6 +136,9 @@ class ConvergencePlot {
     chart_.y_label = quantity_;
     chart_.logarithmic_x = chart_.logarithmic_y = true;
     for (std::size_t s = 0; s < result_.sweep.series.size(); ++s) add_series(s);
+    for (const PeerResult& peer : result_.text.peers) {
+      if (peer.quantity == quantity_) add_peer(peer);
+    }
     for (const CheckResult& check : result_.checks) {
       if (check.expectation.quantity != quantity_ || check.expectation.compared) continue;
       if (check.expectation.kind == CheckKind::order) add_band(check);
@@ -162,6 +165,24 @@ class ConvergencePlot {
     curve.colour = colour_of(series);
     curve.dots = true;
     curve.name = result_.sweep.series[series].name;
+    chart_.curves.push_back(std::move(curve));
+  }
+
+  /// Another code's numbers, at the sizes of this case's runs.
+  void add_peer(const PeerResult& peer) {
+    Curve curve;
+    for (std::size_t i = 0; i < peer.at.size(); ++i) {
+      for (const RunResult& run : result_.runs) {
+        if (run.plan.series_name != peer.series || !same_swept(run.plan.value, peer.at[i]))
+          continue;
+        curve.x.push_back(run.plan.size);
+        curve.y.push_back(peer.values[i]);
+      }
+    }
+    if (curve.x.empty()) return;
+    curve.colour = black;
+    curve.dots = true;
+    curve.name = peer.code;
     chart_.curves.push_back(std::move(curve));
   }
 
