@@ -113,6 +113,19 @@ class FigureCollector {
   std::vector<Chart> charts_;
 };
 
+/// Whether a check's runs differ in size: an angle or an aspect ratio may be swept as well.
+bool has_sizes(const CaseResult& result, const CheckResult& check) {
+  double smallest = INFINITY, largest = 0;
+  for (const RunResult& run : result.runs) {
+    const bool judged = std::any_of(check.runs.begin(), check.runs.end(),
+                                    [&](const Judged& j) { return j.run == run.plan.label; });
+    if (!judged) continue;
+    smallest = std::min(smallest, run.plan.size);
+    largest = std::max(largest, run.plan.size);
+  }
+  return largest > 1.001 * smallest;
+}
+
 /// Names of quantities that some series has at two sizes or more, all positive.
 std::vector<std::string> converging(const CaseResult& result) {
   std::vector<std::string> names;
@@ -121,7 +134,7 @@ std::vector<std::string> converging(const CaseResult& result) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const bool positive = std::all_of(check.runs.begin(), check.runs.end(),
                                       [](const Judged& run) { return run.measured > 0; });
-    if (check.runs.size() > 1 && positive) names.push_back(name);
+    if (positive && has_sizes(result, check)) names.push_back(name);
   }
   return names;
 }
