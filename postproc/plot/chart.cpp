@@ -147,7 +147,7 @@ int legend_lines(const Chart& chart, double length) {
   return lines;
 }
 
-constexpr double left_room = 120, right_room = 30;  ///< beside the axes, for labels
+constexpr double left_room = 136, right_room = 30;  ///< beside the axes, for labels
 
 /// Draws in the plotted area of one chart.
 class ChartPainter {
@@ -203,7 +203,7 @@ class ChartPainter {
     for (int i = 0; i < 4; ++i) rule(corners[i], corners[i + 1], ink, 1.8);
     canvas_.text({0.5 * (area_.left + area_.right), area_.bottom - 44 * s}, chart_.x_label,
                  (text_size + 2) * s, Anchor::middle, Anchor::high);
-    canvas_.text({area_.left - 84 * s, 0.5 * (area_.bottom + area_.top)}, chart_.y_label,
+    canvas_.text({area_.left - 100 * s, 0.5 * (area_.bottom + area_.top)}, chart_.y_label,
                  (text_size + 2) * s, Anchor::middle, Anchor::high, false, true);
   }
 

@@ -65,6 +65,21 @@ Expectation read_expectation(const Value& table, Problems& problems) {
   return result;
 }
 
+PeerResult read_peer(const Value& table, Problems& problems) {
+  TableReader reader(table, "peer", problems);
+  PeerResult result;
+  result.code = reader.text("code", true);
+  result.quantity = reader.text("quantity", true);
+  result.series = reader.text("series", true);
+  result.at = reader.numbers("at");
+  result.values = reader.numbers("value");
+  result.source = reader.text("source", true);
+  if (result.at.empty() || result.at.size() != result.values.size())
+    reader.report(table, "value", "has not one number for each entry of `at`");
+  reader.finish();
+  return result;
+}
+
 std::string limits_text(const std::vector<double>& limits) {
   std::string text;
   for (const double limit : limits)
@@ -82,6 +97,8 @@ CaseText read_case_text(const Value& document, Problems& problems) {
   result.reference = reader.text("reference", true);
   for (const Value* table : reader.tables("expect", true))
     result.expectations.push_back(read_expectation(*table, problems));
+  for (const Value* table : reader.tables("peer"))
+    result.peers.push_back(read_peer(*table, problems));
   reader.finish();
   return result;
 }

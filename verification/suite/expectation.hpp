@@ -35,10 +35,19 @@ struct Expectation {
   std::string why;
 };
 
+/// One `[[peer]]` of expect.toml: what another code has for the same problem.
+struct PeerResult {
+  std::string code;                ///< its name
+  std::string quantity, series;    ///< of this case
+  std::vector<double> at, values;  ///< swept values, and the other code's quantity at each
+  std::string source;              ///< where it is published, and with which method
+};
+
 /// expect.toml of a case.
 struct CaseText {
   std::string title, physics, reference;
   std::vector<Expectation> expectations;
+  std::vector<PeerResult> peers;
 };
 
 /// Reads expect.toml; mistakes go to `problems`.

@@ -18,7 +18,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 std::optional<std::size_t> place(const std::vector<double>& at, double value) {
   if (at.empty()) return 0;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    if (std::abs(at[i] - value) <= 1e-9 * std::max(std::abs(value), 1.0)) return i;
+    if (same_swept(at[i], value)) return i;
   }
   return std::nullopt;
 }
@@ -200,24 +200,32 @@ void check_names(const CaseText& text, const Sweep& sweep, const Value& document
   };
   std::vector<std::string> names;
   for (const Series& series : sweep.series) names.push_back(series.name);
-  for (const Expectation& e : text.expectations) {
-    std::vector<std::string> used = e.series;
-    if (!e.than.empty()) used.push_back(e.than);
+  const auto check = [&](const std::string& quantity, const std::vector<std::string>& used,
+                         const std::vector<std::string>& own, const std::vector<double>& at) {
     for (const std::string& name : used) {
       if (!contains(names, name))
         complain("\"" + name + "\" is no series", "case.toml has " + join(names, "; "));
     }
-    for (const double value : e.at) {
+    for (const double value : at) {
       bool found = false;
       for (const Series& series : sweep.series) {
-        if (!contains(e.series, series.name)) continue;
+        if (!contains(own, series.name)) continue;
         found |= (!series.ci.empty() && place(series.ci, value)) ||
                  (!series.full.empty() && place(series.full, value));
       }
-      if (!found) complain(fmt::format("{}: no run at {:g}", e.quantity, value), "");
+      if (!found) complain(fmt::format("{}: no run at {:g}", quantity, value), "");
     }
+  };
+  for (const Expectation& e : text.expectations) {
+    std::vector<std::string> used = e.series;
+    if (!e.than.empty()) used.push_back(e.than);
+    check(e.quantity, used, e.series, e.at);
   }
+  for (const PeerResult& peer : text.peers)
+    check(peer.quantity, {peer.series}, {peer.series}, peer.at);
 }
+
+bool same_swept(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(b), 1.0); }
 
 void judge(CaseResult& result) { Judge(result).all(); }
 

@@ -58,6 +58,9 @@ struct CaseResult {
 void check_names(const CaseText& text, const Sweep& sweep, const Value& document,
                  Problems& problems);
 
+/// Whether two values of the swept parameter are one.
+bool same_swept(double a, double b);
+
 /// Fills `checks` and `passed` from the runs.
 void judge(CaseResult& result);
 

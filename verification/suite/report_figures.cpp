@@ -113,6 +113,19 @@ class FigureCollector {
   std::vector<Chart> charts_;
 };
 
+/// Whether a check's runs differ in size: an angle or an aspect ratio may be swept as well.
+bool has_sizes(const CaseResult& result, const CheckResult& check) {
+  double smallest = INFINITY, largest = 0;
+  for (const RunResult& run : result.runs) {
+    const bool judged = std::any_of(check.runs.begin(), check.runs.end(),
+                                    [&](const Judged& j) { return j.run == run.plan.label; });
+    if (!judged) continue;
+    smallest = std::min(smallest, run.plan.size);
+    largest = std::max(largest, run.plan.size);
+  }
+  return largest > 1.001 * smallest;
+}
+
 /// Names of quantities that some series has at two sizes or more, all positive.
 std::vector<std::string> converging(const CaseResult& result) {
   std::vector<std::string> names;
@@ -121,7 +134,7 @@ std::vector<std::string> converging(const CaseResult& result) {
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const bool positive = std::all_of(check.runs.begin(), check.runs.end(),
                                       [](const Judged& run) { return run.measured > 0; });
-    if (check.runs.size() > 1 && positive) names.push_back(name);
+    if (positive && has_sizes(result, check)) names.push_back(name);
   }
   return names;
 }
@@ -136,6 +149,9 @@ class ConvergencePlot {
     chart_.y_label = quantity_;
     chart_.logarithmic_x = chart_.logarithmic_y = true;
     for (std::size_t s = 0; s < result_.sweep.series.size(); ++s) add_series(s);
+    for (const PeerResult& peer : result_.text.peers) {
+      if (peer.quantity == quantity_) add_peer(peer);
+    }
     for (const CheckResult& check : result_.checks) {
       if (check.expectation.quantity != quantity_ || check.expectation.compared) continue;
       if (check.expectation.kind == CheckKind::order) add_band(check);
@@ -162,6 +178,24 @@ class ConvergencePlot {
     curve.colour = colour_of(series);
     curve.dots = true;
     curve.name = result_.sweep.series[series].name;
+    chart_.curves.push_back(std::move(curve));
+  }
+
+  /// Another code's numbers, at the sizes of this case's runs.
+  void add_peer(const PeerResult& peer) {
+    Curve curve;
+    for (std::size_t i = 0; i < peer.at.size(); ++i) {
+      for (const RunResult& run : result_.runs) {
+        if (run.plan.series_name != peer.series || !same_swept(run.plan.value, peer.at[i]))
+          continue;
+        curve.x.push_back(run.plan.size);
+        curve.y.push_back(peer.values[i]);
+      }
+    }
+    if (curve.x.empty()) return;
+    curve.colour = black;
+    curve.dots = true;
+    curve.name = peer.code;
     chart_.curves.push_back(std::move(curve));
   }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "postproc/plot/svg_drawing.hpp"
+#include "verification/suite/peers.hpp"
 #include "verification/suite/report_figures.hpp"
 #include "verification/suite/report_text.hpp"
 
@@ -139,7 +140,7 @@ std::string report_html(const ReportHead& head, const std::vector<CaseResult>& r
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>Verification of "
       "scree</title>\n<style>" +
       std::string(style) + "</style>\n</head>\n<body>\n";
-  text += head_html(head, results) + contents_html(results);
+  text += head_html(head, results) + contents_html(results) + peers_html(results);
   for (const CaseResult& result : results) text += case_html(result);
   return text + "</body>\n</html>\n";
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verification/suite/expectation.hpp"
+#include "verification/suite/peers.hpp"
 
 namespace scree::verify {
 namespace {
@@ -64,6 +65,19 @@ Json check_json(const CheckResult& check) {
   return json;
 }
 
+Json peers_json(const std::vector<CaseResult>& results) {
+  Json list = Json::array();
+  for (const PeerRow& row : peer_rows(results))
+    list.push_back({{"case", row.case_name},
+                    {"run", row.run},
+                    {"quantity", row.peer->quantity},
+                    {"code", row.peer->code},
+                    {"theirs", number(row.theirs)},
+                    {"measured", number(row.measured)},
+                    {"source", row.peer->source}});
+  return list;
+}
+
 Json case_json(const CaseResult& result) {
   Json runs = Json::array(), checks = Json::array();
   for (const RunResult& run : result.runs) runs.push_back(run_json(run));
@@ -101,6 +115,7 @@ std::string report_json(const ReportHead& head, const std::vector<CaseResult>& r
                   {"threads", head.threads},
                   {"seconds", number(head.seconds)},
                   {"verdict", passed ? "passed" : "failed"},
+                  {"peers", peers_json(results)},
                   {"cases", cases}};
   return json.dump(1) + "\n";
 }

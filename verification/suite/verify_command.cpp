@@ -12,6 +12,7 @@
 #include "app/signals.hpp"
 #include "generated/build_info.hpp"
 #include "solver/base/error.hpp"
+#include "verification/suite/peers.hpp"
 #include "verification/suite/report_folder.hpp"
 #include "verification/suite/report_html.hpp"
 #include "verification/suite/report_json.hpp"
@@ -93,6 +94,8 @@ void print_progress(const CaseResult& result, int done, int all) {
 void print_summary(const std::vector<CaseResult>& results, double seconds,
                    const ReportFolder& folder) {
   fmt::print("\n{}\n", table_text(results));
+  const std::string peers = peers_text(results);
+  if (!peers.empty()) fmt::print("{}\n", peers);
   const auto failed = std::count_if(results.begin(), results.end(),
                                     [](const CaseResult& result) { return !result.passed; });
   double work = 0;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "verification/suite/judge.hpp"
+#include "verification/suite/peers.hpp"
 
 namespace scree::verify {
 namespace {
@@ -104,6 +105,26 @@ TEST(CaseJudge, AFailedRunFailsTheCaseUnlessItMay) {
   worse.series = {"b"};
   worse.than = "a";
   EXPECT_TRUE(verdict(result, worse)) << "a baseline that blew up is worse";
+}
+
+TEST(CasePeers, EveryRunThatTheOtherCodeHasIsARow) {
+  std::vector<CaseResult> results{two_series({0.02, 0.01}, {0.4})};
+  EXPECT_EQ(peers_text(results), "");
+  EXPECT_EQ(peers_html(results), "");
+  results[0].name = "column";
+  results[0].text.peers = {{"other", "error", "a", {8, 16, 32}, {0.04, 0.005, 0.001}, "a paper"},
+                           {"other", "error", "b", {8}, {0.4}, "a paper"}};
+  const std::vector<PeerRow> rows = peer_rows(results);
+  ASSERT_EQ(rows.size(), 3u) << "no run of 32 cells";
+  EXPECT_EQ(peer_ratio(rows[0]), "2 times smaller");
+  EXPECT_EQ(peer_ratio(rows[1]), "2 times larger");
+  EXPECT_EQ(peer_ratio(rows[2]), "equal");
+  EXPECT_NE(peers_text(results).find("other       0.04    0.02, 2 times smaller"),
+            std::string::npos)
+      << peers_text(results);
+  EXPECT_NE(peers_html(results).find("a paper"), std::string::npos);
+  results[0].runs[0].measured.quantities.clear();
+  EXPECT_EQ(peer_rows(results).size(), 2u) << "a run that failed has nothing to compare";
 }
 
 }  // namespace

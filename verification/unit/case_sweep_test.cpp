@@ -106,5 +106,23 @@ TEST(CaseText, AnExpectationSaysOneThingAndWhy) {
       << text;
 }
 
+TEST(CaseText, OtherCodesHaveANumberForEachRun) {
+  Problems problems;
+  const CaseText text = read_case_text(
+      document_of("title = \"t\"\nphysics = \"p\"\nreference = \"r\"\n"
+                  "[[expect]]\nquantity = \"e\"\nat_most = 1\nwhy = \"w\"\n"
+                  "[[peer]]\ncode = \"c\"\nquantity = \"e\"\nseries = \"a\"\nat = [8, 16]\n"
+                  "value = [0.1, 0.05]\nsource = \"s\"\n"
+                  "[[peer]]\ncode = \"d\"\nquantity = \"e\"\nseries = \"a\"\nat = [8, 16]\n"
+                  "value = 0.1\n"),
+      problems);
+  ASSERT_EQ(text.peers.size(), 2u);
+  EXPECT_EQ(text.peers[0].values, (std::vector<double>{0.1, 0.05}));
+  const std::string found = problems.text();
+  EXPECT_NE(found.find("peer.value: has not one number for each entry of `at`"), std::string::npos)
+      << found;
+  EXPECT_NE(found.find("peer.source: is missing"), std::string::npos) << found;
+}
+
 }  // namespace
 }  // namespace scree::verify
