@@ -21,7 +21,7 @@ void NodeConstraints<D>::follow_folds(const GridDecisions<D>& grid) {
         if ((type == FaceType::sticky) != held) continue;
         Link& link = link_[std::size_t(pair.ghost)];
         if (link.to >= 0) continue;  // it moved away before
-        link = {pair.image, std::int8_t(axis), std::int8_t(pair.side)};
+        link = {std::int32_t(pair.image), std::int8_t(axis), std::int8_t(pair.side)};
         special_[std::size_t(pair.ghost)] = special_[std::size_t(pair.image)] = 1;
       }
     }
