@@ -14,6 +14,9 @@ namespace scree {
 /// parameters gamma, viscosity, density and lowest (J - 1 below which the law is not evaluated). P:
 /// the law's Params.
 struct CompressibleFluid {
+  /// The whole stiffness is against changes of volume: see lone_particle_courant().
+  static constexpr bool fluid = true;
+
   /// J - 1 instead of J: in single precision the increments of a step would be lost in J.
   template <class V>
   struct State {
@@ -69,17 +72,26 @@ struct CompressibleFluid {
 
   /// Sound: rho c^2 = -J dp/dJ, hence rho0 c^2 = K J^(1 - gamma), K [Pa] the bulk modulus at rest.
   /// Viscosity limits the step by diffusion, not through a speed: see momentum_diffusivity().
+  ///
+  /// Tension (where `tension`) carries waves as that of a string does, rho c^2 = -p, and both add
+  /// up to d tau/d ln J over rho0: it is this that pulls a particle together which has its nodes to
+  /// itself, and it grows with J while the speed of sound falls.
   template <class V, class P, class T>
-  SCREE_FN static V sound_speed(const P& p, const State<V>& s, T bulk_modulus) {
-    return exp((T(0.5) * (T(1) - p.gamma)) * log1p(bounded_strain(p, s))) *
-           sqrt(bulk_modulus / p.density);
+  SCREE_FN static V wave_speed_of(const P& p, const State<V>& s, T bulk_modulus, bool tension) {
+    const V j = bounded_strain(p, s);
+    const V power = exp((T(1) - p.gamma) * log1p(j));
+    V square = power * bulk_modulus;
+    if (tension) {
+      const V pull = (j + T(1) - power) * (bulk_modulus / p.gamma);
+      square = square + max(pull, broadcast<V>(T(0)));
+    }
+    return sqrt(square * (T(1) / p.density));
   }
 
-  /// factor eta/rho.
+  /// factor eta/rho; J: volume ratio of what is viscous.
   template <class V, class P, class T>
-  SCREE_FN static V diffusivity(const P& p, const State<V>& s, T factor) {
-    const V J = max(s.volume_strain + T(1), broadcast<V>(T(0)));
-    return (factor * p.viscosity / p.density) * J;
+  SCREE_FN static V diffusivity(const P& p, const V& J, T factor) {
+    return (factor * p.viscosity / p.density) * max(J, broadcast<V>(T(0)));
   }
 
   /// Where the pressure has reached e^40 B, or 1e-6: beyond any fluid, and still a number in single

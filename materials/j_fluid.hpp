@@ -83,13 +83,13 @@ struct JFluid : CompressibleFluid {
 
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    return sound_speed(p, s, p.bulk * p.gamma);
+    return wave_speed_of(p, s, p.bulk * p.gamma, true);
   }
 
   /// Of longitudinal motion, the fastest: 2 eta/rho, for the viscous stress is not a deviator.
   template <class V, class T>
   SCREE_FN static V momentum_diffusivity(const Params<T>& p, const State<V>& s) {
-    return diffusivity(p, s, T(2));
+    return diffusivity(p, s.volume_strain + T(1), T(2));
   }
 
   /// Integral of -p dJ from J = 1.

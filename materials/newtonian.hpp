@@ -15,7 +15,8 @@ namespace scree {
 ///
 /// Differences to JFluid: bulk_modulus is the bulk modulus at rest itself, not a prefactor; the
 /// viscous stress is deviatoric (Stokes' hypothesis), so that a change of volume makes pressure
-/// only; J is multiplied by det(I + L), hence exactly that of the motion; tension may be cut off.
+/// only; J is multiplied by det(I + L), hence exactly that of the motion; tension may be cut off,
+/// and then tau = min(J, 1) 2 eta dev D - J max(p, 0) I.
 struct Newtonian : CompressibleFluid {
   static constexpr const char* name = "newtonian";
 
@@ -57,19 +58,19 @@ struct Newtonian : CompressibleFluid {
     const V j = bounded_strain(p, s);
     const V J = j + T(1);
     const V pressure = max(relative_pressure(p, j), broadcast<V>(p.weakest));
-    return detail::plus_diagonal(deviator(s.strain_rate) * (J * (T(2) * p.viscosity)),
+    return detail::plus_diagonal(deviator(s.strain_rate) * (liquid(p, J) * (T(2) * p.viscosity)),
                                  -(J * pressure) * (p.bulk / p.gamma));
   }
 
   template <class V, class T>
   SCREE_FN static V wave_speed(const Params<T>& p, const State<V>& s) {
-    return sound_speed(p, s, p.bulk);
+    return wave_speed_of(p, s, p.bulk, p.weakest < T(0));
   }
 
   /// Of longitudinal motion, the fastest: 4/3 eta/rho.
   template <class V, class T>
   SCREE_FN static V momentum_diffusivity(const Params<T>& p, const State<V>& s) {
-    return diffusivity(p, s, T(4.0 / 3.0));
+    return diffusivity(p, liquid(p, s.volume_strain + T(1)), T(4.0 / 3.0));
   }
 
   /// Integral of -p dJ from J = 1; nothing beyond J = 1 where tension is cut off.
@@ -78,6 +79,15 @@ struct Newtonian : CompressibleFluid {
     V j = bounded_strain(p, s);
     if (p.weakest == T(0)) j = min(j, broadcast<V>(T(0)));
     return (p.bulk / p.gamma) * relative_energy(p, j);
+  }
+
+ private:
+  /// Volume ratio of the liquid in a volume ratio of J: where it parts, the rest is empty and not
+  /// viscous. (With the whole J the viscous force on a drop, and the shortness of the step, would
+  /// grow with the distance to the next one.)
+  template <class V, class T>
+  SCREE_FN static V liquid(const Params<T>& p, const V& J) {
+    return p.weakest < T(0) ? J : min(J, broadcast<V>(T(1)));
   }
 };
 

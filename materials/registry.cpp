@@ -48,6 +48,7 @@ template <Material M>
 void add_optional(MaterialEntry& entry) {
   using Input = typename M::Input;
   if constexpr (requires { M::effective_stress; }) entry.effective_stress = M::effective_stress;
+  if constexpr (requires { M::fluid; }) entry.fluid = M::fluid;
   if constexpr (requires { M::inadmissible; }) entry.inadmissible = M::inadmissible;
   if constexpr (requires(const Input& in) { M::stress_repair(in); }) {
     entry.state_under = state_under<M>;

@@ -21,6 +21,7 @@ struct MaterialEntry {
   const SchemaBase* schema = nullptr;  ///< of the law's Input; lives as long as the program
   std::vector<StateField> fields;      ///< of the law's State
   bool effective_stress = false;       ///< may carry pore water
+  bool fluid = false;                  ///< stiff against changes of volume only
   std::any (*make_input)() = nullptr;  ///< an Input before any key is read
   void* (*input_pointer)(std::any&) = nullptr;  ///< the Input inside such an any, for the schema
   /// Horizontal over vertical stress at rest, K0, of soil in its natural state with this Input.

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "verification/conformance/samples/newtonian.hpp"
 #include "verification/support/lanes_testing.hpp"
 
@@ -36,7 +39,12 @@ TEST(NewtonianTest, PressureAndSoundFollowTheVolumeRatio) {
       EXPECT_NEAR(tau.xx, -J * pressure, 1e-14 * (kBulk + std::abs(pressure)));
       EXPECT_EQ(tau.xy, 0);
       const double c = Law::wave_speed(p, state);
-      EXPECT_NEAR(c * c * kDensity / (kBulk * std::pow(J, 1 - gamma)), 1, 1e-13);
+      const double sound = kBulk * std::pow(J, 1 - gamma);
+      const double tension = std::max(-J * pressure, 0.0);
+      EXPECT_NEAR(c * c * kDensity / (sound + tension), 1, 1e-13);
+      const auto parting = fluid(gamma, false);
+      const double still = Law::wave_speed(parting, compressed(parting, J));
+      EXPECT_NEAR(still * still * kDensity / sound, 1, 1e-13);
     }
   }
 }
@@ -102,6 +110,24 @@ TEST(NewtonianTest, PartsWithoutTensionAndCloses) {
   EXPECT_EQ(norm(grow(1 / 1.2)), 0);
   const double pressure = kBulk / 7 * (std::pow(0.99, -7) - 1);
   EXPECT_NEAR(grow(0.99 * 1.2 / 1.25).xx, -0.99 * pressure, 1e-13 * kBulk);
+}
+
+/// The space between drops is not viscous: else the step would shrink as they fly apart.
+TEST(NewtonianTest, OnlyTheLiquidOfPartedFluidIsViscous) {
+  for (const double J : {0.9, 1.0, 3.0, 500.0}) {
+    const auto p = fluid(7, false);
+    auto state = compressed(p, J);
+    Mat3<double> shear = zero3<double>();
+    const double dt = 1e-3, rate = 40, liquid = std::min(J, 1.0);
+    shear(0, 1) = rate * dt;
+    const Sym3<double> tau = Law::kirchhoff(p, state, shear, dt);
+    EXPECT_NEAR(tau.xy, liquid * kViscosity * rate, 1e-13 * kViscosity * rate);
+    EXPECT_NEAR(Law::momentum_diffusivity(p, state), 4.0 / 3.0 * kViscosity * liquid / kDensity,
+                1e-18);
+    const auto holding = fluid(7);
+    EXPECT_NEAR(Law::momentum_diffusivity(holding, state), 4.0 / 3.0 * kViscosity * J / kDensity,
+                1e-18 * J);
+  }
 }
 
 TEST(NewtonianTest, SmallChangesOfVolumeKeepTheirRelativeAccuracy) {
