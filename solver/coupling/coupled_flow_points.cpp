@@ -29,7 +29,9 @@ struct StateLanes {
   /// Rows of the numbers after F.
   static constexpr int pressure = D * D, ratio = pressure + 1, start_ratio = pressure + 2;
   static_assert(numbers <= rows && offsetof(PoreState<D>, start_ratio) == 8 * start_ratio);
-  alignas(64) double row[rows][width];
+  alignas(64) double numbers_of[rows * width] = {};
+
+  double* row(int k) { return numbers_of + k * width; }
 
   /// state(i): of lane i.
   template <class State>
@@ -37,12 +39,12 @@ struct StateLanes {
     if constexpr (numbers == rows) {
       alignas(64) double records[width * rows];
       for (int i = 0; i < width; ++i) __builtin_memcpy(records + i * rows, &state(i), 8 * rows);
-      LaneTranspose<double>::to_lanes(records, row[0]);
+      LaneTranspose<double>::to_lanes(records, numbers_of);
     } else {
       for (int i = 0; i < width; ++i) {
         double record[numbers];
         __builtin_memcpy(record, &state(i), sizeof record);
-        for (int k = 0; k < numbers; ++k) row[k][i] = record[k];
+        for (int k = 0; k < numbers; ++k) row(k)[i] = record[k];
       }
     }
   }
@@ -52,12 +54,12 @@ struct StateLanes {
     constexpr std::size_t bytes = 8 * (ratio + 1);
     if constexpr (numbers == rows) {
       alignas(64) double records[width * rows];
-      LaneTranspose<double>::to_records(row[0], records);
+      LaneTranspose<double>::to_records(numbers_of, records);
       for (int i = 0; i < count; ++i) __builtin_memcpy(&state(i), records + i * rows, bytes);
     } else {
       for (int i = 0; i < count; ++i) {
         double record[ratio + 1];
-        for (int k = 0; k <= ratio; ++k) record[k] = row[k][i];
+        for (int k = 0; k <= ratio; ++k) record[k] = row(k)[i];
         __builtin_memcpy(&state(i), record, bytes);
       }
     }
@@ -119,9 +121,9 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
   for (int a = 0; a < D; ++a) {
     Wide square = broadcast<Wide>(0.0);
     for (int b = 0; b < D; ++b) {
-      Wide sum = scree::load<Wide>(lanes.row[a * D + b]);
+      Wide sum = scree::load<Wide>(lanes.row(a * D + b));
       for (int k = 0; k < D; ++k) {
-        sum = mul_add(c[a][k], scree::load<Wide>(lanes.row[k * D + b]), sum);
+        sum = mul_add(c[a][k], scree::load<Wide>(lanes.row(k * D + b)), sum);
       }
       now[a][b] = sum;
       square = mul_add(sum, sum, square);
@@ -129,8 +131,8 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
     }
     store(half[a], side * min(sqrt(square), longest_box));
   }
-  const Wide before = scree::load<Wide>(lanes.row[lanes.ratio]);
-  const Wide start = scree::load<Wide>(lanes.row[lanes.start_ratio]);
+  const Wide before = scree::load<Wide>(lanes.row(lanes.ratio));
+  const Wide start = scree::load<Wide>(lanes.row(lanes.start_ratio));
   const Wide ratio = before * determinant(f);
   const Wide porosity = 1.0 - ((1 - pores.porosity) * start) / ratio;
   const Wide storage =
@@ -143,13 +145,13 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
     k = k * (r * r * r * s * s);
   }
   for (int a = 0; a < D; ++a) {
-    for (int b = 0; b < D; ++b) store(lanes.row[a * D + b], now[a][b]);
+    for (int b = 0; b < D; ++b) store(lanes.row(a * D + b), now[a][b]);
   }
-  store(lanes.row[lanes.ratio], ratio);
+  store(lanes.row(lanes.ratio), ratio);
   store(volume, space);
   store(capacity, room);
   store(mobility, k);
-  store(content, room * scree::load<Wide>(lanes.row[lanes.pressure]) - defect);
+  store(content, room * scree::load<Wide>(lanes.row(lanes.pressure)) - defect);
   lanes.save(state, increments.count);
   for (int i = 0; i < increments.count; ++i) {
     const std::size_t p = std::size_t(increments.point[i]);

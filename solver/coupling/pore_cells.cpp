@@ -5,14 +5,84 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "solver/coupling/box_slices.hpp"
-#include "solver/coupling/load_any.hpp"
-
 namespace scree {
 namespace {
 
-using Wide = Lanes<double>;
-constexpr int width = lanes_of<Wide>;
+using Quad = Pack<double, 4>;
+
+/// Over the part of a box within one cell, in one axis: shares of the box.
+struct Slice {
+  alignas(32) double product[4];  ///< integrals of (1 - x)^2, x (1 - x) and x^2; zero
+  double hat[2];                  ///< of 1 - x and x
+  double share;                   ///< of the box's length
+  std::int32_t shift;             ///< of the cell, from the particle's
+};
+
+/// From the share and the means of x and x^2 over the part.
+Slice slice(std::int32_t shift, double share, double mean, double square) {
+  const double first = share * mean, second = share * square;
+  return {{share - 2 * first + second, first - second, second, 0},
+          {share - first, first},
+          share,
+          shift};
+}
+
+/// A part from a to b in the coordinate of the cell; `per`: 1 over the length of the box.
+Slice part(std::int32_t shift, double a, double b, double per) {
+  return slice(shift, (b - a) * per, 0.5 * (a + b), (a * a + a * b + b * b) / 3);
+}
+
+/// A box from xi - half to xi + half, cut at whole numbers. Thinner parts than rounding are left.
+int cut(double xi, double half, Slice (&slices)[4]) {
+  const double lower = xi - half, upper = xi + half;
+  if (lower >= 0 && upper <= 1) {
+    slices[0] = slice(0, 1, xi, xi * xi + half * half / 3);
+    return 1;
+  }
+  const double per = 0.5 / half, least = 1e-12;
+  int count = 0;
+  for (std::int32_t c = std::int32_t(std::floor(lower)); c < upper && count < 4; ++c) {
+    const double a = std::max(lower - c, 0.0), b = std::min(upper - c, 1.0);
+    if (b - a > least) slices[count++] = part(c, a, b, per);
+  }
+  return count;
+}
+
+void add_line(double scale, const double* products, double* sums) {
+  store(sums, mul_add(broadcast<Quad>(scale), load<Quad>(products), load<Quad>(sums)));
+}
+
+/// Adds the part of a box that `s` cuts out to the moments of the flow.
+template <int D, int lines>
+void add_part(const Slice* const (&s)[D], double flow, double (&moments)[D][lines][4]) {
+  if constexpr (D == 2) {
+    add_line(flow * s[0]->share, s[1]->product, moments[0][0]);
+    add_line(flow * s[1]->share, s[0]->product, moments[1][0]);
+  } else {
+    const double x = flow * s[0]->share, y = flow * s[1]->share, z = flow * s[2]->share;
+    for (int i = 0; i < 3; ++i) {
+      add_line(x * s[1]->product[i], s[2]->product, moments[0][i]);
+      add_line(y * s[0]->product[i], s[2]->product, moments[1][i]);
+      add_line(z * s[0]->product[i], s[1]->product, moments[2][i]);
+    }
+  }
+}
+
+/// Adds the same part, times a vector, to the source of the cell.
+template <int D>
+void add_weight(const Slice* const (&s)[D], const double (&weight)[D], double* source) {
+  for (int a = 0; a < D; ++a) {
+    if (weight[a] == 0) continue;
+    const double up = weight[a] * s[a]->share;
+    for (int k = 0; k < (1 << D); ++k) {
+      double slope = (k >> (D - 1 - a) & 1) != 0 ? up : -up;
+      for (int b = 0; b < D; ++b) {
+        if (b != a) slope *= s[b]->hat[k >> (D - 1 - b) & 1];
+      }
+      source[k] += slope;
+    }
+  }
+}
 
 }  // namespace
 
@@ -84,118 +154,36 @@ auto PoreCells<D>::surroundings(const PressureNode<D>& home) const -> Surroundin
 }
 
 template <int D>
-// NOLINTNEXTLINE(readability-function-size): a kernel's body
 void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, double dt, double h,
                            const Weight& weight) {
   const Surroundings around = surroundings(run.cell);
-  LaneSums<D> sums;
-  const auto field = [](const AlignedVector<double>& values, std::int64_t first) {
-    return load_any<Wide>(values.data() + first);
-  };
-  for (std::int64_t first = run.begin; first < run.end; first += width) {
-    const auto some = first_lanes<Wide>(int(std::min<std::int64_t>(run.end - first, width)));
-    Wide xi[D];
-    LaneSlice slices[D];
-    auto cut = some & !some, simple = some;
+  Cell& cell = cells_[std::size_t(around.number[power(3, D) / 2])];
+  const double per_dt = 1 / dt;
+  for (std::size_t i = std::size_t(run.begin); i < std::size_t(run.end); ++i) {
+    alignas(32) double e[D][4];
+    double xi[D];
     for (std::size_t a = 0; a < D; ++a) {
-      xi[a] = select(some, field(points.xi[a], first), 0.5);
-      const Wide half = select(some, field(points.half[a], first), 0.25);
-      slices[a] = own_slice(xi[a], half);
-      cut = cut | (slices[a].cut & some);
-      simple = simple & (half <= 0.5);  // no box reaches beyond both sides of its cell
+      const double x = xi[a] = points.xi[a][i], y = 1 - x;
+      e[a][0] = y * y;
+      e[a][1] = x * y;
+      e[a][2] = x * x;
+      e[a][3] = 0;
     }
-    cut = cut | (some & !simple);
-    sums.add_storage(xi, select(some, field(points.capacity, first) * (1 / dt), 0.0),
-                     select(some, field(points.content, first) * (1 / dt), 0.0));
-    const Wide conductance =
-        select(simple, field(points.volume, first) * field(points.mobility, first) * (1 / h), 0.0);
-    sums.add_flow(slices, conductance * (1 / h));
-    for (int a = 0; a < D; ++a) {
-      const double pull = weight[std::size_t(a)];
-      if (pull != 0) sums.add_weight(slices, conductance * pull, a);
-    }
-    if (!any(cut)) continue;
-    for (int i = 0; i < width; ++i) {
-      if (!lane(cut, i)) continue;
-      if (lane(simple, i)) {
-        add_rest(points, std::size_t(first + i), around, h, weight);
+    const double storage = points.capacity[i] * per_dt;
+    for (int j = 0; j < 3; ++j) {
+      if constexpr (D == 2) {
+        add_line(storage * e[0][j], e[1], cell.storage[j]);
       } else {
-        add_flow(points, std::size_t(first + i), around, h, weight);
+        for (int k = 0; k < 3; ++k) {
+          add_line(storage * e[0][j] * e[1][k], e[2], cell.storage[3 * j + k]);
+        }
       }
     }
-  }
-  Cell& cell = cells_[std::size_t(around.number[power(3, D) / 2])];
-  for (int k = 0; k < 3; ++k) {
-    for (int j = 0; j < 3 * lines; ++j) cell.storage[j][k] += sum_of(sums.storage[j][k]);
-    for (int a = 0; a < D; ++a) {
-      for (int i = 0; i < lines; ++i) cell.flow[a][i][k] += sum_of(sums.flow[a][i][k]);
-    }
-  }
-  for (int k = 0; k < corners; ++k) cell.source[k] += sum_of(sums.source[k]);
-}
-
-/// Adds a part of a particle's box, s[a] of each axis, to the cell that it lies in.
-template <int D>
-void PoreCells<D>::add_part_of_box(const FlowPoints<D>& points, std::size_t point,
-                                   const Surroundings& around, const BoxSlice* const (&s)[D],
-                                   double flow, const double (&pull)[D]) {
-  int near = 0;
-  bool beside = true;
-  for (int a = 0; a < D; ++a) {
-    near = 3 * near + s[a]->shift + 1;
-    beside = beside && std::abs(s[a]->shift) <= 1;
-  }
-  std::int32_t number = beside ? around.number[near] : -1;
-  if (!beside) {
-    PressureNode<D> lower = around.home;
-    for (std::size_t a = 0; a < D; ++a) lower[a] += s[a]->shift;
-    number = number_[std::size_t(lattice_.index(lower))];
-  }
-  if (number >= 0) {
-    Cell& cell = cells_[std::size_t(number)];
-    add_part<D, lines>(s, flow, cell.flow);
-    add_weight<D>(s, pull, cell.source);
-    return;
-  }
-  // No particle there.
-  BoxSlice slices[D];
-  const BoxSlice* extended[D];
-  for (std::size_t a = 0; a < D; ++a) {
-    const double b = s[a]->shift, xi = points.xi[a][point], half = points.half[a][point];
-    slices[a] = part(0, std::max(xi - half, b), std::min(xi + half, b + 1), 0.5 / half);
-    extended[a] = &slices[a];
-  }
-  Cell& home = cells_[std::size_t(around.number[power(3, D) / 2])];
-  add_part<D, lines>(extended, flow, home.flow);
-  add_weight<D>(extended, pull, home.source);
-}
-
-/// The parts of a particle's box in cells other than its own, one at most beside it in each axis.
-template <int D>
-void PoreCells<D>::add_rest(const FlowPoints<D>& points, std::size_t point,
-                            const Surroundings& around, double h, const Weight& weight) {
-  const double conductance = points.volume[point] * points.mobility[point] / h;
-  BoxSlice slices[D][2];
-  double pull[D];
-  int beside = 0;  // bit a: the box reaches into the next cell of axis a
-  for (std::size_t a = 0; a < D; ++a) {
-    const double xi = points.xi[a][point], half = points.half[a][point], per = 0.5 / half;
-    const double lower = xi - half, upper = xi + half;
-    slices[a][0] = part(0, std::max(lower, 0.0), std::min(upper, 1.0), per);
-    if (lower < -least_part) {
-      slices[a][1] = part(-1, lower + 1, 1, per);
-      beside |= 1 << a;
-    } else if (upper > 1 + least_part) {
-      slices[a][1] = part(1, 0, upper - 1, per);
-      beside |= 1 << a;
-    }
-    pull[a] = conductance * weight[a];
-  }
-  for (int parts = 1; parts < (1 << D); ++parts) {
-    if ((parts & ~beside) != 0) continue;
-    const BoxSlice* s[D];
-    for (int a = 0; a < D; ++a) s[a] = &slices[a][parts >> a & 1];
-    add_part_of_box(points, point, around, s, conductance / h, pull);
+    double n[corners];
+    hats<D>(xi, n);
+    const double content = points.content[i] * per_dt;
+    for (int k = 0; k < corners; ++k) cell.source[k] += content * n[k];
+    add_flow(points, i, around, h, weight);
   }
 }
 
@@ -203,7 +191,7 @@ void PoreCells<D>::add_rest(const FlowPoints<D>& points, std::size_t point,
 template <int D>
 void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
                             const Surroundings& around, double h, const Weight& weight) {
-  BoxSlice slices[D][4];
+  Slice slices[D][4];
   int count[D], parts = 1;
   double pull[D];
   const double conductance = points.volume[point] * points.mobility[point] / h;
@@ -214,13 +202,36 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
   }
   int at[D] = {};
   for (int part_number = 0; part_number < parts; ++part_number) {
-    const BoxSlice* s[D];
-    for (int a = 0; a < D; ++a) s[a] = &slices[a][at[a]];
+    const Slice* s[D];
+    Slice extended[D];
+    int near = 0;
+    bool beside = true;
+    for (int a = 0; a < D; ++a) {
+      s[a] = &slices[a][at[a]];
+      near = 3 * near + s[a]->shift + 1;
+      beside = beside && std::abs(s[a]->shift) <= 1;
+    }
     for (int a = D - 1; a >= 0; --a) {  // counts up
       if (++at[a] < count[a]) break;
       at[a] = 0;
     }
-    add_part_of_box(points, point, around, s, conductance / h, pull);
+    std::int32_t number = beside ? around.number[near] : -1;
+    if (!beside) {
+      PressureNode<D> lower = around.home;
+      for (std::size_t a = 0; a < D; ++a) lower[a] += s[a]->shift;
+      number = number_[std::size_t(lattice_.index(lower))];
+    }
+    if (number < 0) {  // no particle there
+      number = around.number[power(3, D) / 2];
+      for (std::size_t a = 0; a < D; ++a) {
+        const double b = s[a]->shift, xi = points.xi[a][point], half = points.half[a][point];
+        extended[a] = part(0, std::max(xi - half, b), std::min(xi + half, b + 1), 0.5 / half);
+        s[a] = &extended[a];
+      }
+    }
+    Cell* cell = &cells_[std::size_t(number)];
+    add_part<D, lines>(s, conductance / h, cell->flow);
+    add_weight<D>(s, pull, cell->source);
   }
 }
 

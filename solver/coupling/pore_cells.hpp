@@ -11,8 +11,6 @@
 
 namespace scree {
 
-struct BoxSlice;
-
 /// Storage and flow of the water, cell by cell of the pressure lattice:
 ///
 ///     S_jl = sum_p V_p (1/M)_p N_j N_l,      H_jl = sum_p k_p int grad N_j . grad N_l,
@@ -68,10 +66,6 @@ class PoreCells {
                const Weight& weight);
   void add_flow(const FlowPoints<D>& points, std::size_t point, const Surroundings& around,
                 double h, const Weight& weight);
-  void add_rest(const FlowPoints<D>& points, std::size_t point, const Surroundings& around,
-                double h, const Weight& weight);
-  void add_part_of_box(const FlowPoints<D>& points, std::size_t point, const Surroundings& around,
-                       const BoxSlice* const (&s)[D], double flow, const double (&pull)[D]);
 
   PressureLattice<D> lattice_;
   AlignedVector<Cell> cells_;
