@@ -248,6 +248,7 @@ SimulationSetup build_setup(const Deck& deck) {
     setup.coupling->tolerance = deck.coupling->tolerance;
     setup.coupling->preconditioner = deck.coupling->preconditioner;
     setup.coupling->solver_options = deck.coupling->solver_options;
+    setup.coupling->halvings = deck.coupling->halvings;
   }
   for (std::size_t b = 0; b < deck.bodies.size(); ++b) add_body(deck, std::int32_t(b), setup);
   setup.keep_reference =

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/base/error.hpp"
-
 namespace scree {
 namespace {
 
@@ -35,13 +33,16 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       volume_(lattice_, domain.kernel, domain.transfer, domain.cell_size),
       cells_(lattice_),
       matrix_(lattice_, volume_.width() - 1),
+      product_(lattice_, volume_.width() - 1),
       surfaces_(std::move(setup_.drainage), first_ids(bodies_)),
       solver_(setup_.preconditioner.empty() ? default_preconditioner(D) : setup_.preconditioner,
               setup_.tolerance, setup_.solver_options),
+      compressed_(solver_.needs_entries() || !PressureProduct<D>::serves(lattice_)),
       point_of_(std::size_t(particles), -1),
       nodal_(std::size_t(lattice_.size()), 0.0),
       earlier_(std::size_t(lattice_.size()), 0.0),
       state_(std::size_t(particles), PoreState<D>{}),
+      gained_(std::size_t(particles), 0.0),
       outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
   for (const FlowBody& body : bodies_) {
@@ -103,37 +104,41 @@ std::vector<std::pair<std::string, double>> CoupledFlow<D>::times() const {
 }
 
 template <int D>
-void CoupledFlow<D>::solve(const FlowStep<D>& step, std::vector<double>& velocity,
-                           const Topology<D>& topology, ThreadPool& pool) {
+bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool) {
   auto start = Clock::now();
   index_points();
   time_part(Part::points, start);
-  prepare(step, velocity, topology);
+  prepare(step, topology);
   time_part(Part::constraints, start);
   assemble_volume(pool);
   reactions_.assign(step.colliders->size(), Reaction{});
-  if (!volume_.load().empty()) push(step, volume_.load(), velocity, topology, pool);
+  if (!volume_.load().empty()) push_loads(step, topology, pool);
   time_part(Part::volume, start);
-  assemble(step, velocity, pool);
+  assemble(step, pool);
   start = Clock::now();
-  solve_system(step);
+  const bool solved = solve_system();
   time_part(Part::solve, start);
-  volume_.force(matrix_, solution_, force_, pool);
-  push(step, force_, velocity, topology, pool);
+  if (!solved) return false;
+  volume_.push(matrix_, solution_, constraints_.inverse(), step.dt, velocity_, force_, pool);
+  push_groups(step, force_, topology);
   time_part(Part::forces, start);
   gather(step.dt, step.gravity, pool);
   time_part(Part::points, start);
+  return true;
 }
 
 /// Which nodes move, and which have a pressure.
 template <int D>
-void CoupledFlow<D>::prepare(const FlowStep<D>& step, const std::vector<double>& velocity,
-                             const Topology<D>& topology) {
+void CoupledFlow<D>::prepare(const FlowStep<D>& step, const Topology<D>& topology) {
   constraints_.find(
-      step.decisions, velocity, *step.colliders,
+      step.decisions, velocity_, *step.colliders,
       [&](std::int64_t record) { return position(record, topology); }, step.touch);
-  if (matrix_.set_nodes(cells_.find_cells(points_)) && matrix_.rows() > 0) {
+  if (!matrix_.set_nodes(cells_.find_cells(points_), compressed_) || matrix_.rows() == 0) return;
+  if (compressed_) {
     solver_.set_pattern(matrix_.row_begin(), matrix_.columns());
+  } else {
+    product_.set_nodes(matrix_);
+    solver_.set_action(product_);
   }
 }
 
@@ -143,14 +148,13 @@ void CoupledFlow<D>::assemble_volume(ThreadPool& pool) {
   for (const NodeGroup<D>& group : constraints_.groups()) {
     for (std::int32_t m = group.begin + 1; m < group.end; ++m) {
       const auto& ghost = constraints_.members()[std::size_t(m)];
-      volume_.fold(group.root, ghost.record, ghost.sign, matrix_);
+      volume_.fold(group.root, ghost.record, ghost.sign);
     }
   }
 }
 
 template <int D>
-void CoupledFlow<D>::assemble(const FlowStep<D>& step, const std::vector<double>& velocity,
-                              ThreadPool& pool) {
+void CoupledFlow<D>::assemble(const FlowStep<D>& step, ThreadPool& pool) {
   auto start = Clock::now();
   std::vector<typename PoreCells<D>::Weight> weight(bodies_.size());
   double largest_half = 0;
@@ -167,10 +171,10 @@ void CoupledFlow<D>::assemble(const FlowStep<D>& step, const std::vector<double>
   surfaces_.add([this](std::int64_t id) { return surface_point(id); },
                 [this](std::int64_t id) { return deformation(id); }, step.end, h_,
                 domain_.cell_size, lattice_, domain_.lower, matrix_);
-  volume_.add(constraints_.inverse(), step.dt / lattices_, velocity, 1.0 / lattices_, matrix_,
+  volume_.add(constraints_.inverse(), step.dt / lattices_, velocity_, 1.0 / lattices_, matrix_,
               pool);
   add_held(step.dt / lattices_);
-  matrix_.finish();
+  finish_matrix(pool);
   time_part(Part::matrix, start);
 }
 
@@ -202,38 +206,57 @@ void CoupledFlow<D>::add_held(double factor) {
   }
 }
 
+/// The matrix in the form that the solver takes.
 template <int D>
-void CoupledFlow<D>::solve_system(const FlowStep<D>& step) {
+void CoupledFlow<D>::finish_matrix(ThreadPool& pool) {
+  if (compressed_) {
+    matrix_.finish();
+  } else {
+    product_.set_values(matrix_, pool);
+  }
+}
+
+template <int D>
+bool CoupledFlow<D>::solve_system() {
   solution_.resize(std::size_t(matrix_.rows()));
   iterations_ = 0;
-  if (matrix_.rows() == 0) return;
+  if (matrix_.rows() == 0) return true;
   for (std::size_t r = 0; r < solution_.size(); ++r) {
     // As if the pressure went on as in the last step; nodes that had none begin with zero.
     const std::size_t node = std::size_t(matrix_.nodes()[r]);
     solution_[r] = earlier_[node] == 0 ? nodal_[node] : 2 * nodal_[node] - earlier_[node];
   }
-  const SolveReport report = solver_.solve(matrix_.values(), matrix_.rhs(), solution_);
-  iterations_ = report.iterations;
-  if (!report.converged) {
-    throw RunFault(fmt::format(
-        "pore pressure at t = {:.6g} s: the solver stopped after {} iterations with a relative "
-        "residual of {:.3g} ({}); try coupling.preconditioner = \"icc\" or \"gamg\", a larger "
-        "coupling.tolerance, or a shorter time step",
-        step.end, report.iterations, report.residual, report.reason));
-  }
+  report_ = compressed_ ? solver_.solve(matrix_.values(), matrix_.rhs(), solution_)
+                        : solver_.solve(matrix_.rhs(), solution_);
+  if (!report_.converged) return false;
+  iterations_ = report_.iterations;
   for (std::size_t r = 0; r < solution_.size(); ++r) {
     const std::size_t node = std::size_t(matrix_.nodes()[r]);
     earlier_[node] = nodal_[node];
     nodal_[node] = solution_[r];
   }
+  return true;
 }
 
-/// Forces on the nodes change the velocities as far as walls and colliders let them.
 template <int D>
-void CoupledFlow<D>::push(const FlowStep<D>& step, const std::vector<double>& force,
-                          std::vector<double>& velocity, const Topology<D>& topology,
-                          ThreadPool& pool) {
+std::string CoupledFlow<D>::failure(double end, int halvings) const {
+  const std::string halved =
+      halvings == 0
+          ? "coupling.halvings, which repeats such a step with half its length"
+          : fmt::format("more coupling.halvings (the step was halved {} times)", halvings);
+  return fmt::format(
+      "pore pressure at t = {:.6g} s: the solver stopped after {} iterations with a relative "
+      "residual of {:.3g} ({}); try coupling.preconditioner = \"icc\" or \"gamg\", a larger "
+      "coupling.tolerance, a shorter time step, or {}",
+      end, report_.iterations, report_.residual, report_.reason, halved);
+}
+
+/// The moments of loads change the velocities before the pressure does.
+template <int D>
+void CoupledFlow<D>::push_loads(const FlowStep<D>& step, const Topology<D>& topology,
+                                ThreadPool& pool) {
   const auto& inverse = constraints_.inverse();
+  const std::vector<double>& force = volume_.load();
   pool.for_each(
       std::int64_t(inverse.size()),
       [&](std::int64_t r, int) {
@@ -241,12 +264,19 @@ void CoupledFlow<D>::push(const FlowStep<D>& step, const std::vector<double>& fo
         if (m[0] < 0) return;
         for (int a = 0; a < D; ++a) {
           const std::size_t i = std::size_t(r) * D + std::size_t(a);
-          velocity[i] += step.dt * m[std::size_t(a)] * force[i];
+          velocity_[i] += step.dt * m[std::size_t(a)] * force[i];
         }
       },
       256);
+  push_groups(step, force, topology);
+}
+
+/// Forces on nodes in other hands change their velocities as far as walls and colliders let them.
+template <int D>
+void CoupledFlow<D>::push_groups(const FlowStep<D>& step, const std::vector<double>& force,
+                                 const Topology<D>& topology) {
   for (const NodeGroup<D>& group : constraints_.groups()) {
-    const Vec3<double> impulse = push_group(step, group, force, velocity);
+    const Vec3<double> impulse = push_group(step, group, force);
     if (group.collider < 0) continue;
     Vec3<double> arm{};
     const Collider& collider = (*step.colliders)[std::size_t(group.collider)];
@@ -265,8 +295,7 @@ void CoupledFlow<D>::push(const FlowStep<D>& step, const std::vector<double>& fo
 /// Returns the impulse that the force gives to what holds the group.
 template <int D>
 Vec3<double> CoupledFlow<D>::push_group(const FlowStep<D>& step, const NodeGroup<D>& group,
-                                        const std::vector<double>& forces,
-                                        std::vector<double>& velocity) {
+                                        const std::vector<double>& forces) {
   double change[D] = {}, mass[D] = {};
   const double* force = &forces[std::size_t(group.root) * D];  // its ghosts' included
   for (int a = 0; a < D; ++a) {
@@ -278,7 +307,7 @@ Vec3<double> CoupledFlow<D>::push_group(const FlowStep<D>& step, const NodeGroup
       if (member.sign[std::size_t(a)] != 0) mass[a] += constraints_.mass(member.record);
       // Roots that no collider holds have their share already.
       if (m == group.begin && group.collider < 0) continue;
-      velocity[std::size_t(member.record) * D + std::size_t(a)] +=
+      velocity_[std::size_t(member.record) * D + std::size_t(a)] +=
           member.sign[std::size_t(a)] * change[a];
     }
   }

@@ -16,6 +16,7 @@
 #include "solver/coupling/node_constraints.hpp"
 #include "solver/coupling/pore_cells.hpp"
 #include "solver/coupling/pressure_matrix.hpp"
+#include "solver/coupling/pressure_product.hpp"
 #include "solver/coupling/pressure_solver.hpp"
 #include "solver/coupling/volume_operator.hpp"
 #include "solver/grid/grid_update.hpp"
@@ -108,10 +109,15 @@ class CoupledFlow {
     __builtin_prefetch(&state_[std::size_t(id)], 1);
     __builtin_prefetch(reinterpret_cast<const char*>(&state_[std::size_t(id)]) + 64, 1);
   }
-  /// Solves for the pressure. velocity: D entries a node, of v*; becomes v. Throws RunFault where
-  /// the solver does not converge.
-  void solve(const FlowStep<D>& step, std::vector<double>& velocity, const Topology<D>& topology,
-             ThreadPool& pool);
+  /// Velocities of the nodes, D entries each: v* before solve(), v after it.
+  std::vector<double>& velocity() { return velocity_; }
+  /// Solves for the pressure. False where the solver does not converge: velocity() is then of no
+  /// use, and the step may be tried again with another length for the same points.
+  [[nodiscard]] bool solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool);
+  /// Why the last solve failed, after the step has been halved so many times; `end`: of the step.
+  std::string failure(double end, int halvings) const;
+  int most_halvings() const { return setup_.halvings; }
+  void note_halving() { ++halvings_; }
   /// What the pressure adds to the colliders' reactions of the step.
   const std::vector<Reaction>& reactions() const { return reactions_; }
 
@@ -126,7 +132,7 @@ class CoupledFlow {
   /// Mass of the water in a particle's pores [kg].
   double fluid_mass(std::int32_t body, std::int64_t id, double volume_ratio) const;
   /// What the water in a particle's pores has gained since t = 0 [kg], as the last points say.
-  double gained_mass(std::int32_t body, std::int64_t id) const;
+  double gained_mass(std::int64_t id) const { return gained_[std::size_t(id)]; }
   /// mass: sum of fluid_mass() over the particles.
   FluidBalance balance(double mass) const;
 
@@ -149,18 +155,20 @@ class CoupledFlow {
   void time_part(Part part, Clock::time_point& start);
 
   Mat3<double> deformation(std::int64_t id) const;
+  static double gain(const FlowBody& body, const PoreState<D>& state);
   void index_points();
   std::optional<SurfacePoint<D>> surface_point(std::int64_t id) const;
-  void prepare(const FlowStep<D>& step, const std::vector<double>& velocity,
-               const Topology<D>& topology);
+  void prepare(const FlowStep<D>& step, const Topology<D>& topology);
   void assemble_volume(ThreadPool& pool);
-  void assemble(const FlowStep<D>& step, const std::vector<double>& velocity, ThreadPool& pool);
+  void assemble(const FlowStep<D>& step, ThreadPool& pool);
   void add_held(double factor);
-  void solve_system(const FlowStep<D>& step);
-  void push(const FlowStep<D>& step, const std::vector<double>& force,
-            std::vector<double>& velocity, const Topology<D>& topology, ThreadPool& pool);
+  void finish_matrix(ThreadPool& pool);
+  bool solve_system();
+  void push_loads(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool);
+  void push_groups(const FlowStep<D>& step, const std::vector<double>& force,
+                   const Topology<D>& topology);
   Vec3<double> push_group(const FlowStep<D>& step, const NodeGroup<D>& group,
-                          const std::vector<double>& force, std::vector<double>& velocity);
+                          const std::vector<double>& force);
   std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
   void gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool);
   void gather_run(const FlowRun<D>& run, std::int32_t body, const std::array<double, 3>& gravity);
@@ -174,9 +182,11 @@ class CoupledFlow {
   VolumeOperator<D> volume_;
   PoreCells<D> cells_;
   PressureMatrix<D> matrix_;
+  PressureProduct<D> product_;
   NodeConstraints<D> constraints_;
   DrainedSurfaces<D> surfaces_;
   PressureSolver solver_;
+  bool compressed_;  ///< the solver takes compressed rows, not product_
   FlowPoints<D> points_;
   std::vector<std::uint64_t> blocks_;   ///< of the topology that volume_ knows
   std::vector<std::int32_t> point_of_;  ///< by id, -1: gone
@@ -184,16 +194,20 @@ class CoupledFlow {
   std::vector<double> solution_;        ///< by row
   std::vector<double> nodal_;           ///< by lattice node: the last pressures, to start from
   std::vector<double> earlier_;         ///< those of the step before
-  std::vector<double> force_;
+  std::vector<double> velocity_;        ///< by node
+  std::vector<double> force_;           ///< by node
   std::vector<Reaction> reactions_;
   std::vector<double> half_side_;      ///< of each body's boxes at t = 0 [m]
   std::vector<double> biot_;           ///< of each body
   AlignedVector<PoreState<D>> state_;  ///< by particle id
+  AlignedVector<double> gained_;       ///< by particle id: follows from state_
   std::array<double, std::size_t(Part::count)> seconds_{};
   double start_mass_ = 0;        ///< of the water [kg]
   double left_ = 0;              ///< [kg], of particles that left through open faces
   std::vector<double> outflow_;  ///< [kg], through each drained surface
   int iterations_ = 0;
+  SolveReport report_;  ///< of the last solve
+  std::int64_t halvings_ = 0;
 };
 
 extern template class CoupledFlow<2>;

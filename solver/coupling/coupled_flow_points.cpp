@@ -2,8 +2,11 @@
 // The particles' part in the step of the pore water.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "solver/coupling/coupled_flow.hpp"
+#include "solver/coupling/load_any.hpp"
+#include "solver/exec/transpose.hpp"
 
 namespace scree {
 namespace {
@@ -18,11 +21,50 @@ Wide determinant(const Wide (&f)[3][3]) {
          f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
 }
 
-Wide load_any(const double* p) {
-  Wide v;
-  __builtin_memcpy(&v, p, sizeof(v));
-  return v;
-}
+/// States of particles in lanes: row k holds their k-th number.
+template <int D>
+struct StateLanes {
+  static constexpr int width = FlowIncrements<D>::width;
+  static constexpr int rows = 16, numbers = int(sizeof(PoreState<D>) / sizeof(double));
+  /// Rows of the numbers after F.
+  static constexpr int pressure = D * D, ratio = pressure + 1, start_ratio = pressure + 2;
+  static_assert(numbers <= rows && offsetof(PoreState<D>, start_ratio) == 8 * start_ratio);
+  alignas(64) double numbers_of[rows * width] = {};
+
+  double* row(int k) { return numbers_of + k * width; }
+
+  /// state(i): of lane i.
+  template <class State>
+  void load(State&& state) {
+    if constexpr (numbers == rows) {
+      alignas(64) double records[width * rows];
+      for (int i = 0; i < width; ++i) __builtin_memcpy(records + i * rows, &state(i), 8 * rows);
+      LaneTranspose<double>::to_lanes(records, numbers_of);
+    } else {
+      for (int i = 0; i < width; ++i) {
+        double record[numbers];
+        __builtin_memcpy(record, &state(i), sizeof record);
+        for (int k = 0; k < numbers; ++k) row(k)[i] = record[k];
+      }
+    }
+  }
+  /// F and ratio of the first `count` lanes; the pressure, which lies between them, as it was.
+  template <class State>
+  void save(State&& state, int count) {
+    constexpr std::size_t bytes = 8 * (ratio + 1);
+    if constexpr (numbers == rows) {
+      alignas(64) double records[width * rows];
+      LaneTranspose<double>::to_records(numbers_of, records);
+      for (int i = 0; i < count; ++i) __builtin_memcpy(&state(i), records + i * rows, bytes);
+    } else {
+      for (int i = 0; i < count; ++i) {
+        double record[ratio + 1];
+        for (int k = 0; k <= ratio; ++k) record[k] = row(k)[i];
+        __builtin_memcpy(&state(i), record, bytes);
+      }
+    }
+  }
+};
 
 /// Value and gradient [1/h] at particles of a cell, from its corners; hat[a]: those of axis a.
 template <int D>
@@ -61,36 +103,36 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
   constexpr int width = FlowIncrements<D>::width;
   const FlowBody& flow = bodies_[std::size_t(body)];
   const PoreSetup& pores = *flow.pores;
-  alignas(64) double old[D * D + 3][width] = {};
-  for (int i = 0; i < width; ++i) {
-    // Padding repeats the first.
+  const auto state = [&](int i) -> PoreState<D>& {
     const std::int64_t point = increments.point[i < increments.count ? i : 0];
-    const PoreState<D>& state = state_[std::size_t(points_.id[std::size_t(point)])];
-    for (int k = 0; k < D * D; ++k) old[k][i] = state.deformation[k];
-    old[D * D][i] = state.ratio;
-    old[D * D + 1][i] = state.start_ratio;
-    old[D * D + 2][i] = state.pressure;
-  }
+    return state_[std::size_t(points_.id[std::size_t(point)])];
+  };
+  StateLanes<D> lanes;  // padding repeats the first
+  lanes.load(state);
   Wide c[D][D], f[D][D], trace = broadcast<Wide>(0.0);
   for (int a = 0; a < D; ++a) {
     for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(increments.value[a * D + b]);
     trace = trace + c[a][a];
   }
-  alignas(64) double now[D * D + 1][width], half[D][width], volume[width], capacity[width],
-      mobility[width], content[width];
+  alignas(64) double half[D][width], volume[width], capacity[width], mobility[width],
+      content[width];
+  Wide now[D][D];
   const double side = half_side_[std::size_t(body)] / h_;
   for (int a = 0; a < D; ++a) {
     Wide square = broadcast<Wide>(0.0);
     for (int b = 0; b < D; ++b) {
-      Wide sum = scree::load<Wide>(old[a * D + b]);
-      for (int k = 0; k < D; ++k) sum = mul_add(c[a][k], scree::load<Wide>(old[k * D + b]), sum);
-      store(now[a * D + b], sum);
+      Wide sum = scree::load<Wide>(lanes.row(a * D + b));
+      for (int k = 0; k < D; ++k) {
+        sum = mul_add(c[a][k], scree::load<Wide>(lanes.row(k * D + b)), sum);
+      }
+      now[a][b] = sum;
       square = mul_add(sum, sum, square);
       f[a][b] = a == b ? c[a][b] + 1.0 : c[a][b];
     }
     store(half[a], side * min(sqrt(square), longest_box));
   }
-  const Wide before = scree::load<Wide>(old[D * D]), start = scree::load<Wide>(old[D * D + 1]);
+  const Wide before = scree::load<Wide>(lanes.row(lanes.ratio));
+  const Wide start = scree::load<Wide>(lanes.row(lanes.start_ratio));
   const Wide ratio = before * determinant(f);
   const Wide porosity = 1.0 - ((1 - pores.porosity) * start) / ratio;
   const Wide storage =
@@ -102,16 +144,17 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
     const Wide r = porosity / pores.porosity, s = (1 - pores.porosity) / (1.0 - porosity);
     k = k * (r * r * r * s * s);
   }
-  store(now[D * D], ratio);
+  for (int a = 0; a < D; ++a) {
+    for (int b = 0; b < D; ++b) store(lanes.row(a * D + b), now[a][b]);
+  }
+  store(lanes.row(lanes.ratio), ratio);
   store(volume, space);
   store(capacity, room);
   store(mobility, k);
-  store(content, room * scree::load<Wide>(old[D * D + 2]) - defect);
+  store(content, room * scree::load<Wide>(lanes.row(lanes.pressure)) - defect);
+  lanes.save(state, increments.count);
   for (int i = 0; i < increments.count; ++i) {
     const std::size_t p = std::size_t(increments.point[i]);
-    PoreState<D>& state = state_[std::size_t(points_.id[p])];
-    for (int n = 0; n < D * D; ++n) state.deformation[n] = now[n][i];
-    state.ratio = now[D * D][i];
     for (std::size_t a = 0; a < D; ++a) points_.half[a][p] = half[a][i];
     points_.volume[p] = volume[i];
     points_.capacity[p] = capacity[i];
@@ -169,22 +212,27 @@ template <int D>
 void CoupledFlow<D>::gather_run(const FlowRun<D>& run, std::int32_t body,
                                 const std::array<double, 3>& gravity) {
   constexpr int corners = 1 << D;
-  const double density = bodies_[std::size_t(body)].pores->fluid_density;
+  const FlowBody& flow = bodies_[std::size_t(body)];
+  const double density = flow.pores->fluid_density;
   double nodal[corners];
   for (int k = 0; k < corners; ++k) {
     nodal[k] = solution_[std::size_t(matrix_.row(corner<D>(run.cell, k)))];
   }
   constexpr int width = lanes_of<Wide>;
   for (std::int64_t first = run.begin; first < run.end; first += width) {
+    const std::int64_t coming =
+        std::min<std::int64_t>(first + 2 * width, std::int64_t(points_.id.size()));
+    for (std::int64_t p = std::min(first + width, coming); p < coming; ++p)
+      prefetch(points_.id[std::size_t(p)]);
     Wide hat[D][2], value, gradient[D];
     for (std::size_t a = 0; a < D; ++a) {
-      hat[a][1] = load_any(points_.xi[a].data() + first);
+      hat[a][1] = load_any<Wide>(points_.xi[a].data() + first);
       hat[a][0] = 1.0 - hat[a][1];
     }
     interpolate<D>(nodal, hat, value, gradient);
     alignas(64) double pressure[width], seepage[D][width];
     store(pressure, value);
-    const Wide mobility = load_any(points_.mobility.data() + first);
+    const Wide mobility = load_any<Wide>(points_.mobility.data() + first);
     for (int a = 0; a < D; ++a) {
       store(seepage[a], -mobility * (gradient[a] * (1 / h_) - density * gravity[std::size_t(a)]));
     }
@@ -194,6 +242,7 @@ void CoupledFlow<D>::gather_run(const FlowRun<D>& run, std::int32_t body,
       state.stored += points_.capacity[p] * (pressure[i] - state.pressure);
       state.pressure = pressure[i];
       for (int a = 0; a < D; ++a) state.seepage[a] = seepage[a][i];
+      gained_[std::size_t(points_.id[p])] = gain(flow, state);
     }
   }
 }

@@ -32,12 +32,11 @@ double CoupledFlow<D>::fluid_mass(std::int32_t body, std::int64_t id, double vol
           state_[std::size_t(id)].stored);
 }
 
+/// Not inlined: it must round alike in a run and after a restart.
 template <int D>
-double CoupledFlow<D>::gained_mass(std::int32_t body, std::int64_t id) const {
-  const FlowBody& flow = bodies_[std::size_t(body)];
-  const auto& state = state_[std::size_t(id)];
-  const double change = flow.pores->biot * (state.ratio - state.start_ratio);
-  return flow.pores->fluid_density * (flow.particle_volume * change + state.stored);
+[[gnu::noinline]] double CoupledFlow<D>::gain(const FlowBody& body, const PoreState<D>& state) {
+  const double change = body.pores->biot * (state.ratio - state.start_ratio);
+  return body.pores->fluid_density * (body.particle_volume * change + state.stored);
 }
 
 template <int D>
@@ -49,6 +48,7 @@ FluidBalance CoupledFlow<D>::balance(double mass) const {
   for (const double through : outflow_) balance.outflow += through;
   balance.error = start_mass_ > 0 ? (mass + balance.outflow - start_mass_) / start_mass_ : 0;
   balance.iterations = iterations_;
+  balance.halvings = halvings_;
   return balance;
 }
 
@@ -83,10 +83,11 @@ GridSnapshot CoupledFlow<D>::grid() const {
 
 template <int D>
 std::int64_t CoupledFlow<D>::bytes() const {
-  const std::size_t numbers = solution_.capacity() + 2 * nodal_.capacity() + force_.capacity();
+  const std::size_t numbers =
+      solution_.capacity() + 2 * nodal_.capacity() + force_.capacity() + gained_.capacity();
   return std::int64_t(8 * numbers + 4 * point_of_.capacity() +
                       sizeof(PoreState<D>) * state_.capacity()) +
-         points_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes();
+         points_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
 }
 
 namespace {
@@ -121,7 +122,8 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
     }
     writer.put(name, values);
   });
-  writer.put("coupling/water", std::vector<double>{start_mass_, left_, double(iterations_)});
+  writer.put("coupling/water",
+             std::vector<double>{start_mass_, left_, double(iterations_), double(halvings_)});
   writer.put("coupling/outflow", outflow_);
   std::vector<std::int32_t> alive;
   for (const std::int32_t point : point_of_) alive.push_back(point >= 0 ? 1 : -1);
@@ -162,12 +164,21 @@ void CoupledFlow<D>::load(const StateReader& reader) {
   const std::size_t surfaces = outflow_.size();
   outflow_ = reader.get<double>("coupling/outflow");
   iterations_ = int(water.at(2));
+  halvings_ = std::int64_t(water.at(3));
   const auto nodes = reader.get<std::int64_t>("coupling/nodes");
   const auto values = reader.get<double>("coupling/nodal_pressure");
   const auto earlier = reader.get<double>("coupling/earlier_pressure");
   if (!fits || point_of_.size() != state_.size() || outflow_.size() != surfaces ||
       nodes.size() != values.size() || nodes.size() != earlier.size()) {
     throw RunFault("the checkpoint's pore water does not match this deck");
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const std::size_t begin = std::size_t(bodies_[b].first_id);
+    const std::size_t end =
+        b + 1 < bodies_.size() ? std::size_t(bodies_[b + 1].first_id) : state_.size();
+    for (std::size_t id = begin; id < end && bodies_[b].pores; ++id) {
+      gained_[id] = gain(bodies_[b], state_[id]);
+    }
   }
   nodal_.assign(nodal_.size(), 0.0);
   earlier_.assign(earlier_.size(), 0.0);

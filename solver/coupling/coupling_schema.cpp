@@ -53,6 +53,13 @@ Schema<CouplingSpec> make_coupling_schema() {
       .doc(
           "Options of PETSc for the pressure solve, each with the prefix scree_p_: "
           "\"-scree_p_pc_type gamg -scree_p_ksp_monitor\".");
+  s.integer("halvings", &CouplingSpec::halvings)
+      .at_least(0)
+      .at_most(20)
+      .fallback(0)
+      .doc(
+          "A step whose pressure solve does not converge is repeated with half its length, so many "
+          "times at most; then, with 0 at once, the run ends.");
   s.number("water_table", &CouplingSpec::water_table, Unit::length)
       .fallback_text("not set")
       .doc(

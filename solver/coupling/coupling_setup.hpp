@@ -67,6 +67,8 @@ struct CouplingSetup {
   double tolerance = 1e-8;     ///< residual of the pressure solve over that of the right-hand side
   std::string preconditioner;  ///< PETSc's PCType; empty: by dimension
   std::string solver_options;  ///< PETSc options with the prefix scree_p_
+  /// How often a step whose solve does not converge is halved before the run ends.
+  int halvings = 0;
   std::vector<DrainageSetup> drainage;
 };
 

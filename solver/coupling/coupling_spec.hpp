@@ -18,6 +18,7 @@ struct CouplingSpec {
   double tolerance = 1e-8;            ///< of the pressure solve
   std::string preconditioner;         ///< a PETSc PCType; empty: by dimension
   std::string solver_options;         ///< PETSc options with the prefix scree_p_
+  int halvings = 0;                   ///< of a step whose solve does not converge
   std::optional<double> water_table;  ///< coordinate along gravity's axis, m
   Formula initial_pressure;           ///< Pa, of x, y, z
 };

@@ -84,14 +84,6 @@ struct FlowPoints {
   }
 };
 
-/// Orders the points of a chunk by pressure cell: sets its runs and, in that order, `local` and
-/// `xi` of the points. local: the positions in the order of the block; rank: place of each behind
-/// chunk.begin.
-template <int D>
-void arrange(FlowChunk<D>& chunk, const PressureLattice<D>& lattice,
-             const std::array<std::vector<double>, D>& local, FlowPoints<D>& points,
-             std::vector<std::int32_t>& rank);
-
 /// Hat functions of a pressure cell's corners at xi (which may lie outside: they are extended).
 /// Corner k has the upper node in axis a where bit D-1-a of k is set.
 template <int D>

@@ -36,7 +36,7 @@ void NodeConstraints<D>::follow_folds(const GridDecisions<D>& grid) {
         Link& link = link_[std::size_t(pair.ghost)];
         if (link.to >= 0) continue;  // it moved away before
         const std::int8_t across = type == FaceType::periodic ? 1 : -1;
-        link = {pair.image, std::int8_t(axis), across,
+        link = {std::int32_t(pair.image), std::int8_t(axis), across,
                 sign_along(type, grid.faces->no_slip, state)};
         special_[std::size_t(pair.ghost)] = special_[std::size_t(pair.image)] = 1;
       }

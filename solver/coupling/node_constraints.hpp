@@ -44,8 +44,8 @@ struct NodeGroup {
 template <int D>
 class NodeConstraints {
  public:
-  /// Must be called when the grid's blocks have changed, with masses as scattered.
-  void begin_step(std::vector<double> mass) { mass_ = std::move(mass); }
+  /// Masses of the nodes as scattered, before faces fold them; set by the caller in every step.
+  std::vector<double>& masses() { return mass_; }
 
   /// velocity: D entries a node, after the grid update. position(record): of a node [m].
   /// `touch`: relative velocities below this share of a node's speed count as contact.
@@ -69,7 +69,7 @@ class NodeConstraints {
                          NodeGroup<D>& group) const;
 
   struct Link {
-    std::int64_t to = -1;
+    std::int32_t to = -1;
     std::int8_t axis = 0;
     std::int8_t across = 1, along = 1;  ///< factors of the velocity it follows
   };

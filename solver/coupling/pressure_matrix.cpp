@@ -17,7 +17,7 @@ PressureMatrix<D>::PressureMatrix(const PressureLattice<D>& lattice, int reach)
       row_begin_(1, 0) {}
 
 template <int D>
-bool PressureMatrix<D>::set_nodes(const std::vector<char>& marks) {
+bool PressureMatrix<D>::set_nodes(const std::vector<char>& marks, bool compress) {
   std::size_t count = 0;
   bool same = true;
   for (std::size_t i = 0; i < marks.size() && same; ++i) {
@@ -31,7 +31,7 @@ bool PressureMatrix<D>::set_nodes(const std::vector<char>& marks) {
       row_of_[i] = marks[i] != 0 ? std::int32_t(nodes_.size()) : -1;
       if (marks[i] != 0) nodes_.push_back(std::int64_t(i));
     }
-    build_pattern();
+    if (compress) build_pattern();
   }
   half_.assign(nodes_.size() * std::size_t(centre_ + 1), 0.0);
   values_.resize(columns_.size());

@@ -22,15 +22,16 @@ class PressureMatrix {
  public:
   PressureMatrix(const PressureLattice<D>& lattice, int reach);
 
-  /// Takes the nodes whose mark is set; true if the set has changed. Values are zeroed.
-  bool set_nodes(const std::vector<char>& marks);
+  /// Takes the nodes whose mark is set; true if the set has changed. Values are zeroed. compress:
+  /// compressed rows and finish() will be asked for.
+  bool set_nodes(const std::vector<char>& marks, bool compress);
 
   int rows() const { return int(nodes_.size()); }
   const std::vector<std::int64_t>& nodes() const { return nodes_; }
   /// Row of a node, -1 if it is not of the set.
-  std::int32_t row(const PressureNode<D>& node) const {
-    return row_of_[std::size_t(lattice_.index(node))];
-  }
+  std::int32_t row(const PressureNode<D>& node) const { return row_at(lattice_.index(node)); }
+  /// Row of a lattice node by its number.
+  std::int32_t row_at(std::int64_t index) const { return row_of_[std::size_t(index)]; }
 
   // Compressed rows: columns of a row ascend.
   const std::vector<std::int32_t>& row_begin() const { return row_begin_; }

@@ -77,6 +77,31 @@ class Turn {
   bool pushed_;
 };
 
+const PressureAction& action_of(Mat matrix) {
+  void* context = nullptr;
+  MatShellGetContext(matrix, &context);
+  return *static_cast<const PressureAction*>(context);
+}
+
+PetscErrorCode multiply(Mat matrix, Vec x, Vec y) {
+  const PetscScalar* from = nullptr;
+  PetscScalar* to = nullptr;
+  PetscErrorCode code = VecGetArrayRead(x, &from);
+  if (code == 0) code = VecGetArrayWrite(y, &to);
+  if (code != 0) return code;
+  action_of(matrix).multiply(from, to);
+  VecRestoreArrayWrite(y, &to);
+  return VecRestoreArrayRead(x, &from);
+}
+
+PetscErrorCode get_diagonal(Mat matrix, Vec d) {
+  PetscScalar* to = nullptr;
+  const PetscErrorCode code = VecGetArrayWrite(d, &to);
+  if (code != 0) return code;
+  action_of(matrix).diagonal(to);
+  return VecRestoreArrayWrite(d, &to);
+}
+
 /// The options of the process with those of a deck added.
 PetscOptions make_options(const std::string& deck) {
   PetscOptions options = nullptr;
@@ -117,6 +142,15 @@ struct PressureSolver::State {
     if (b != nullptr) VecDestroy(&b);
     if (x != nullptr) VecDestroy(&x);
   }
+
+  /// Vectors for the matrix; what the preconditioner knew of the one before is forgotten.
+  void start_system(PetscInt n) {
+    check(MatSetOption(matrix, MAT_SPD, PETSC_TRUE), "MatSetOption");
+    check(VecCreateSeq(PETSC_COMM_SELF, n, &b), "VecCreate");
+    check(VecDuplicate(b, &x), "VecDuplicate");
+    if (set_up) check(KSPReset(ksp), "KSPReset");
+    set_up = false;
+  }
 };
 
 PressureSolver::PressureSolver(const std::string& preconditioner, double tolerance,
@@ -156,11 +190,38 @@ void PressureSolver::set_pattern(const std::vector<std::int32_t>& row_begin,
   check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, s.row_begin.data(), s.columns.data(),
                                   s.values.data(), &s.matrix),
         "MatCreateSeqAIJWithArrays");
-  check(MatSetOption(s.matrix, MAT_SPD, PETSC_TRUE), "MatSetOption");
-  check(VecCreateSeq(PETSC_COMM_SELF, n, &s.b), "VecCreate");
-  check(VecDuplicate(s.b, &s.x), "VecDuplicate");
-  if (s.set_up) check(KSPReset(s.ksp), "KSPReset");
-  s.set_up = false;
+  s.start_system(n);
+}
+
+bool PressureSolver::needs_entries() const {
+  const Turn turn(state_->options);
+  PC pc = nullptr;
+  check(KSPGetPC(state_->ksp, &pc), "KSPGetPC");
+  PetscBool jacobi = PETSC_FALSE, none = PETSC_FALSE;
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCJACOBI, &jacobi), "PCGetType");
+  check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(pc), PCNONE, &none), "PCGetType");
+  PCJacobiType type = PC_JACOBI_DIAGONAL;
+  if (jacobi == PETSC_TRUE) check(PCJacobiGetType(pc, &type), "PCJacobiGetType");
+  return none == PETSC_FALSE && (jacobi == PETSC_FALSE || type != PC_JACOBI_DIAGONAL);
+}
+
+void PressureSolver::set_action(const PressureAction& action) {
+  State& s = *state_;
+  const Turn turn(s.options);
+  s.destroy_system();
+  const PetscInt n = action.rows();
+  // PETSc hands the pointer back as it is; nothing is written through it.
+  void* context = const_cast<PressureAction*>(&action);  // NOLINT(*-const-cast)
+  check(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, context, &s.matrix), "MatCreateShell");
+  using Operation = void (*)();
+  for (const MatOperation product : {MATOP_MULT, MATOP_MULT_TRANSPOSE}) {
+    check(MatShellSetOperation(s.matrix, product, reinterpret_cast<Operation>(multiply)),
+          "MatShellSetOperation");
+  }
+  check(
+      MatShellSetOperation(s.matrix, MATOP_GET_DIAGONAL, reinterpret_cast<Operation>(get_diagonal)),
+      "MatShellSetOperation");
+  s.start_system(n);
 }
 
 std::string PressureSolver::unused_options() const {
@@ -185,6 +246,12 @@ SolveReport PressureSolver::try_solve(const std::vector<double>& values,
   check(MatSeqAIJGetArrayWrite(s.matrix, &entries), "MatSeqAIJGetArrayWrite");
   std::copy(values.begin(), values.end(), entries);
   check(MatSeqAIJRestoreArrayWrite(s.matrix, &entries), "MatSeqAIJRestoreArrayWrite");
+  return run(b, x);
+}
+
+/// The solve itself, of the matrix as it is.
+SolveReport PressureSolver::run(const std::vector<double>& b, std::vector<double>& x) {
+  State& s = *state_;
   check(VecPlaceArray(s.b, b.data()), "VecPlaceArray");
   check(VecPlaceArray(s.x, x.data()), "VecPlaceArray");
   check(KSPSetOperators(s.ksp, s.matrix, s.matrix), "KSPSetOperators");
@@ -212,8 +279,28 @@ SolveReport PressureSolver::try_solve(const std::vector<double>& values,
 
 SolveReport PressureSolver::solve(const std::vector<double>& values, const std::vector<double>& b,
                                   std::vector<double>& x) {
-  State& s = *state_;
   const SolveReport report = try_solve(values, b, x);
+  check_options();
+  return report;
+}
+
+SolveReport PressureSolver::solve(const std::vector<double>& b, std::vector<double>& x) {
+  State& s = *state_;
+  SolveReport report;
+  {
+    const Turn turn(s.options);
+    // Says that the matrix has changed.
+    check(MatAssemblyBegin(s.matrix, MAT_FINAL_ASSEMBLY), "MatAssemblyBegin");
+    check(MatAssemblyEnd(s.matrix, MAT_FINAL_ASSEMBLY), "MatAssemblyEnd");
+    report = run(b, x);
+  }
+  check_options();
+  return report;
+}
+
+/// After the first solve: options that nothing in PETSc has asked for.
+void PressureSolver::check_options() {
+  State& s = *state_;
   if (!s.options_used) {
     const std::string unused = unused_options();
     if (!unused.empty()) {
@@ -222,7 +309,6 @@ SolveReport PressureSolver::solve(const std::vector<double>& values, const std::
     }
   }
   s.options_used = true;
-  return report;
 }
 
 std::string default_preconditioner(int dimension) { return dimension == 2 ? "icc" : "jacobi"; }

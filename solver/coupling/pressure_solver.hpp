@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/coupling/pressure_action.hpp"
+
 namespace scree {
 
 /// How a linear solve ended.
@@ -37,6 +39,14 @@ class PressureSolver {
   PressureSolver(const PressureSolver&) = delete;
   PressureSolver& operator=(const PressureSolver&) = delete;
 
+  /// Whether the preconditioner asks for single entries beside the diagonal. Else a system may be
+  /// given by what it does to vectors, set_action().
+  bool needs_entries() const;
+  /// The coming systems, which may change between solves but keep their rows; must outlive them.
+  void set_action(const PressureAction& action);
+  /// Solves A x = b for the system of set_action, as below.
+  SolveReport solve(const std::vector<double>& b, std::vector<double>& x);
+
   /// The pattern of the coming systems, in compressed rows.
   void set_pattern(const std::vector<std::int32_t>& row_begin,
                    const std::vector<std::int32_t>& columns);
@@ -55,6 +65,8 @@ class PressureSolver {
 
  private:
   struct State;
+  SolveReport run(const std::vector<double>& b, std::vector<double>& x);
+  void check_options();
   std::unique_ptr<State> state_;
 };
 

@@ -20,7 +20,12 @@ VolumeOperator<D>::VolumeOperator(const PressureLattice<D>& lattice, KernelType 
       stride_((hats_ + 3) / 4 * 4),
       lattices_(kernel == KernelType::compact ? 2 : 1),
       slots_(lattices_ * power(lattice.spacing(), D)),
-      reach_(kernel == KernelType::quadratic ? 1.5 : 1.0) {}
+      reach_(kernel == KernelType::quadratic ? 1.5 : 1.0) {
+  const std::int64_t first = lattice.index({});
+  for (int j = 0; j < hats_ && !lattice.periodic(); ++j) {
+    hat_steps_.push_back(lattice.index(hat(j)) - first);
+  }
+}
 
 /// The lowest node of a lattice, an axis, whose lowest hat is node 0 of the pressure.
 template <int D>
@@ -153,6 +158,11 @@ template <int D>
 void VolumeOperator<D>::group_rows(std::size_t group, const PressureMatrix<D>& matrix,
                                    std::int32_t* rows) const {
   PressureNode<D> node = groups_[group];
+  if (!hat_steps_.empty()) {
+    const std::int64_t first = lattice_.index(node);
+    for (int j = 0; j < hats_; ++j) rows[j] = matrix.row_at(first + hat_steps_[std::size_t(j)]);
+    return;
+  }
   for (int j = 0; j < hats_; ++j) {
     rows[j] = matrix.row(node);
     // Counts up, last axis fastest.
@@ -170,18 +180,40 @@ void VolumeOperator<D>::rows(std::int64_t record, const PressureMatrix<D>& matri
   group_rows(std::size_t(place_[std::size_t(record)] / slots_), matrix, rows.data());
 }
 
+/// Number among the hats of `root` of hat j of `ghost`; -1: it is none of them.
+template <int D>
+int VolumeOperator<D>::same_hat(std::int64_t root, std::int64_t ghost, int j) const {
+  const PressureNode<D>& near = base(root);
+  PressureNode<D> node = base(ghost);
+  for (int a = D - 1; a >= 0; --a, j /= width_) node[std::size_t(a)] += j % width_;
+  if (!lattice_.periodic()) {
+    int at = 0;
+    bool inside = true;
+    for (std::size_t a = 0; a < D; ++a) {
+      const int digit = node[a] - near[a];
+      inside = inside && digit >= 0 && digit < width_;
+      at = at * width_ + digit;
+    }
+    return inside ? at : -1;
+  }
+  const std::int64_t index = lattice_.index(node);
+  for (int k = 0; k < hats_; ++k) {
+    PressureNode<D> other = near;
+    const PressureNode<D> step = hat(k);
+    for (std::size_t a = 0; a < D; ++a) other[a] += step[a];
+    if (lattice_.index(other) == index) return k;
+  }
+  return -1;
+}
+
 template <int D>
 void VolumeOperator<D>::fold(std::int64_t root, std::int64_t ghost,
-                             const std::array<std::int8_t, D>& sign,
-                             const PressureMatrix<D>& matrix) {
+                             const std::array<std::int8_t, D>& sign) {
   for (std::size_t a = 0; a < D && !load_.empty(); ++a) {
     load_[std::size_t(root) * D + a] += sign[a] * load_[std::size_t(ghost) * D + a];
     load_[std::size_t(ghost) * D + a] = 0;
   }
   if (block(ghost) == nullptr) return;
-  std::vector<std::int32_t> near, far;
-  rows(root, matrix, near);
-  rows(ghost, matrix, far);
   double* to = touched(std::size_t(place_[std::size_t(root)]));
   double* from = touched(std::size_t(place_[std::size_t(ghost)]));
   for (int j = 0; j < hats_; ++j) {
@@ -189,11 +221,10 @@ void VolumeOperator<D>::fold(std::int64_t root, std::int64_t ghost,
     for (int a = 0; a < D; ++a) any = any || from[a * stride_ + j] != 0;
     if (!any) continue;
     // What the ghost sees of the body lies within the root's reach too.
-    const auto at = std::find(near.begin(), near.end(), far[std::size_t(j)]);
-    if (at == near.end())
-      throw std::logic_error("a ghost touches pressure nodes that its image does not");
+    const int at = same_hat(root, ghost, j);
+    if (at < 0) throw std::logic_error("a ghost touches pressure nodes that its image does not");
     for (int a = 0; a < D; ++a) {
-      to[a * stride_ + int(at - near.begin())] += sign[std::size_t(a)] * from[a * stride_ + j];
+      to[a * stride_ + at] += sign[std::size_t(a)] * from[a * stride_ + j];
     }
   }
   empty_[std::size_t(place_[std::size_t(ghost)])] = 1;

@@ -53,8 +53,7 @@ class VolumeOperator {
 
   /// Adds Q of node `ghost`, times a sign an axis, to that of `root`, whose velocity it follows,
   /// and zeroes its own.
-  void fold(std::int64_t root, std::int64_t ghost, const std::array<std::int8_t, D>& sign,
-            const PressureMatrix<D>& matrix);
+  void fold(std::int64_t root, std::int64_t ghost, const std::array<std::int8_t, D>& sign);
 
   /// matrix += schur * sum over nodes of Q_i^T M_i^-1 Q_i, without the nodes in other hands;
   /// right-hand side -= rate * Q^T v; velocity: D entries a node.
@@ -62,9 +61,10 @@ class VolumeOperator {
            const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
            ThreadPool& pool) const;
 
-  /// force = Q p; D entries a node.
-  void force(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
-             std::vector<double>& force, ThreadPool& pool) const;
+  /// force = Q p; velocity += dt M^-1 Q p but for nodes in other hands; D entries a node.
+  void push(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
+            const std::vector<InverseMass<D>>& inverse, double dt, std::vector<double>& velocity,
+            std::vector<double>& force, ThreadPool& pool) const;
 
   /// Q_ij of node `record`: entry axis * stride() + j; j counts the nodes from base(record), last
   /// axis fastest, up to hats(). Null: nothing touches it.
@@ -100,7 +100,8 @@ class VolumeOperator {
                   const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
                   ThreadPool& pool) const;
   template <int N>
-  void group_force(std::size_t group, const double* pressure, double* force) const;
+  void push_group(std::size_t group, const double* pressure, const InverseMass<D>* inverse,
+                  double dt, double* velocity, double* force) const;
   void group_rows(std::size_t group, const PressureMatrix<D>& matrix, std::int32_t* rows) const;
   template <class F>
   void each_pencil(ThreadPool& pool, F&& f) const;
@@ -110,13 +111,16 @@ class VolumeOperator {
   void number_groups(const std::vector<PressureNode<D>>& base);
   void find_pencils();
   double* touched(std::size_t place);
+  int same_hat(std::int64_t root, std::int64_t ghost, int j) const;
 
   PressureLattice<D> lattice_;
   KernelType kernel_;
   TransferType transfer_;
   double cell_size_;
   int width_;
-  int hats_;    ///< width_^D
+  int hats_;  ///< width_^D
+  /// Numbers of a group's hats in the lattice from the first one on; none where axes are periodic.
+  std::vector<std::int64_t> hat_steps_;
   int stride_;  ///< hats_, up to a multiple of four
   int lattices_;
   int slots_;                            ///< nodes of a group

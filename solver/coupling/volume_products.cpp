@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Q^T M^-1 Q, Q^T v and Q p, group by group of dense rows.
 #include <algorithm>
+#include <cmath>
 
 #include "solver/coupling/volume_operator.hpp"
 
@@ -9,15 +10,14 @@ namespace {
 
 using Quad = Pack<double, 4>;
 
-/// Rows of a group with their scaled copies.
+/// Rows of a group times the roots of their factors.
 template <int N, int most>
 struct Rows {
-  alignas(64) double scaled[most * N];
-  const double* row[most];
+  alignas(64) double row[most * N];
   int count = 0;
 };
 
-/// sums += scaled^T rows in 4 rows from j on and 4 W columns from l on of a matrix N wide.
+/// sums = rows^T rows in 4 rows from j on and 4 W columns from l on of a matrix N wide.
 template <int N, int W, int most>
 void add_square(const Rows<N, most>& rows, int j, int l, double* sums) {
   Quad sum[4][W];
@@ -25,8 +25,8 @@ void add_square(const Rows<N, most>& rows, int j, int l, double* sums) {
     for (Quad& x : line) x = broadcast<Quad>(0.0);
   }
   for (int r = 0; r < rows.count; ++r) {
-    const double* left = rows.scaled + r * N + j;
-    const double* right = rows.row[r] + l;
+    const double* left = rows.row + r * N + j;
+    const double* right = rows.row + r * N + l;
     Quad columns[W];
     for (int w = 0; w < W; ++w) columns[w] = load<Quad>(right + 4 * w);
     SCREE_UNROLL for (int i = 0; i < 4; ++i) {
@@ -39,7 +39,7 @@ void add_square(const Rows<N, most>& rows, int j, int l, double* sums) {
   }
 }
 
-/// The upper triangle of scaled^T rows, in squares of 4: what lies in a square below the diagonal
+/// The upper triangle of rows^T rows, in squares of 4: what lies in a square below the diagonal
 /// is of no use.
 template <int N, int most>
 void outer_products(const Rows<N, most>& rows, double* sums) {
@@ -126,9 +126,9 @@ void VolumeOperator<D>::add_groups(const std::vector<InverseMass<D>>& inverse, d
         }
         const double scale = schur * m[a];
         if (m[0] < 0 || scale == 0) continue;
-        double* scaled = rows.scaled + rows.count * N;
-        for (int j = 0; j < N; ++j) scaled[j] = scale * q[j];
-        rows.row[rows.count++] = q;
+        const double root = std::sqrt(scale);
+        double* row = rows.row + rows.count++ * N;
+        for (int j = 0; j < N; ++j) row[j] = root * q[j];
       }
     }
     if (rows.count == 0 && !moves) return;
@@ -165,39 +165,48 @@ void VolumeOperator<D>::add(const std::vector<InverseMass<D>>& inverse, double s
 
 template <int D>
 template <int N>
-void VolumeOperator<D>::group_force(std::size_t group, const double* pressure,
-                                    double* force) const {
+void VolumeOperator<D>::push_group(std::size_t group, const double* pressure,
+                                   const InverseMass<D>* inverse, double dt, double* velocity,
+                                   double* force) const {
   for (int s = 0; s < slots_; ++s) {
     const std::size_t place = group * std::size_t(slots_) + std::size_t(s);
     if (record_[place] < 0) continue;
-    double* out = force + std::size_t(record_[place]) * D;
+    const std::size_t record = std::size_t(record_[place]);
+    if (empty_[place] != 0) {
+      std::fill(force + record * D, force + (record + 1) * D, 0.0);
+      continue;
+    }
+    const bool held = inverse[record][0] < 0;
     for (std::size_t a = 0; a < D; ++a) {
-      out[a] = empty_[place] != 0 ? 0.0 : dot<N>(q_.data() + (place * D + a) * N, pressure);
+      const double f = dot<N>(q_.data() + (place * D + a) * N, pressure);
+      force[record * D + a] = f;
+      if (!held) velocity[record * D + a] += dt * inverse[record][a] * f;
     }
   }
 }
 
 template <int D>
-void VolumeOperator<D>::force(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
-                              std::vector<double>& force, ThreadPool& pool) const {
+void VolumeOperator<D>::push(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
+                             const std::vector<InverseMass<D>>& inverse, double dt,
+                             std::vector<double>& velocity, std::vector<double>& force,
+                             ThreadPool& pool) const {
   constexpr int narrow = (power(3, D) + 3) / 4 * 4, wide = power(4, D);
   force.resize(place_.size() * D);
-  pool.for_each(
-      std::int64_t(groups_.size()),
-      [&](std::int64_t group, int) {
-        alignas(64) double p[wide] = {};
-        std::int32_t number[wide];
-        group_rows(std::size_t(group), matrix, number);
-        for (int j = 0; j < hats_; ++j) {
-          if (number[j] >= 0) p[j] = pressure[std::size_t(number[j])];
-        }
-        if (width_ == 3) {
-          group_force<narrow>(std::size_t(group), p, force.data());
-        } else {
-          group_force<wide>(std::size_t(group), p, force.data());
-        }
-      },
-      64);
+  const auto push_one = [&](std::int64_t number, int) {
+    const std::size_t group = std::size_t(number);
+    alignas(64) double p[wide] = {};
+    std::int32_t row[wide];
+    group_rows(group, matrix, row);
+    for (int j = 0; j < hats_; ++j) {
+      if (row[j] >= 0) p[j] = pressure[std::size_t(row[j])];
+    }
+    if (width_ == 3) {
+      push_group<narrow>(group, p, inverse.data(), dt, velocity.data(), force.data());
+    } else {
+      push_group<wide>(group, p, inverse.data(), dt, velocity.data(), force.data());
+    }
+  };
+  pool.for_each(std::int64_t(groups_.size()), push_one, 64);
 }
 
 template class VolumeOperator<2>;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/coupling/cell_points.hpp"
 #include "solver/coupling/volume_operator.hpp"
 #include "solver/transfer/compact.hpp"
 #include "solver/transfer/linear.hpp"
@@ -12,150 +13,7 @@
 namespace scree {
 namespace {
 
-using Wide = Lanes<double>;
-constexpr int width = lanes_of<Wide>;
-
-/// The nodes that the points of one pressure cell touch, and what comes together at them. Zero but
-/// between the points and flush().
-template <class Kernel, int D, int spacing>
-struct CellScratch {
-  static constexpr int reach = spacing == 1 ? 3 : 2;  ///< groups an axis
-  static constexpr int extent = reach * spacing;      ///< nodes an axis and lattice
-  static constexpr int nodes = power(extent, D);
-  static constexpr int corners = 1 << D;
-
-  alignas(64) double q[Kernel::lattices * nodes][D][corners] = {};
-  double load[Kernel::lattices * nodes][D] = {};
-
-  /// Nodes that the points of the run touch, axis by axis, the last one included.
-  std::int8_t lower[Kernel::lattices][D], upper[Kernel::lattices][D];
-};
-
-/// Digits of n in a number system of `extent`, last axis fastest, read in one of `other`.
-template <int D, int extent, int other>
-constexpr int change_extent(int n) {
-  int result = 0;
-  for (int a = 0, stride = 1; a < D; ++a, n /= extent, stride *= other) {
-    result += n % extent * stride;
-  }
-  return result;
-}
-
-/// Numbers of arena nodes, changed to those of a cell's nodes.
-template <class Kernel, int D, int extent>
-struct ArenaNodes {
-  static constexpr int count = power(Kernel::arena_extent, D);
-  std::array<std::int16_t, std::size_t(count)> at{};
-  constexpr ArenaNodes() {
-    for (int n = 0; n < count; ++n) {
-      at[std::size_t(n)] = std::int16_t(change_extent<D, Kernel::arena_extent, extent>(n));
-    }
-  }
-};
-
-/// Numbers of the nodes of a particle in a cell, from the lowest one.
-template <int D, int S, int extent>
-struct StencilNodes {
-  std::array<std::int16_t, std::size_t(power(S, D))> at{};
-  constexpr StencilNodes() {
-    for (int s = 0; s < power(S, D); ++s) {
-      at[std::size_t(s)] = std::int16_t(change_extent<D, S, extent>(s));
-    }
-  }
-};
-
 typedef double Pair __attribute__((vector_size(16), aligned(8), may_alias));
-
-Wide load_any(const double* p) {
-  Wide v;
-  __builtin_memcpy(&v, p, sizeof(v));
-  return v;
-}
-
-/// A vector of points: nodes, gradients [1/cell] and hats, all of them times `scale`.
-template <class Kernel, int D>
-struct Batch {
-  static constexpr int nodes = power(Kernel::support, D), corners = 1 << D;
-  alignas(64) double gradient[Kernel::lattices][nodes][D][width];
-  alignas(64) double hat[width][corners];
-  alignas(64) std::int64_t base[Kernel::lattices][width];  ///< arena node, lattice by lattice
-};
-
-/// Gradients of mls: w D^-1 (x_i - x_p).
-template <class Kernel, int D, class Point>
-void affine_gradients(const Point& at, Batch<Kernel, D>& batch) {
-  constexpr int S = Kernel::support;
-  Wide one[D][D], inverse[D][D];
-  for (int a = 0; a < D; ++a) {
-    for (int b = 0; b < D; ++b) one[a][b] = broadcast<Wide>(a == b ? 1.0 : 0.0);
-  }
-  Kernel::template times_inverse_moment<Wide, D>(at, one, inverse);
-  for (int l = 0; l < Kernel::lattices; ++l) {
-    for (int s = 0; s < power(S, D); ++s) {
-      Wide weight = broadcast<Wide>(1.0), offset[D];
-      for (int a = D - 1, rest = s; a >= 0; --a, rest /= S) {
-        weight = weight * at.stencil.weight[l][a][rest % S];
-        offset[a] = at.stencil.offset[l][a] + double(rest % S);
-      }
-      for (int a = 0; a < D; ++a) {
-        Wide sum = inverse[a][0] * offset[0];
-        for (int b = 1; b < D; ++b) sum = mul_add(inverse[a][b], offset[b], sum);
-        store(batch.gradient[l][s][a], sum * weight);
-      }
-    }
-  }
-}
-
-/// Gradients of the weights.
-template <class Kernel, int D, class Point>
-void weight_gradients(const Point& at, Batch<Kernel, D>& batch) {
-  constexpr int S = Kernel::support;
-  const auto slopes = Kernel::template slopes<Wide, D>(at);
-  for (int l = 0; l < Kernel::lattices; ++l) {
-    for (int s = 0; s < power(S, D); ++s) {
-      for (int a = 0; a < D; ++a) {
-        Wide g = broadcast<Wide>(1.0);
-        for (int b = D - 1, rest = s; b >= 0; --b, rest /= S) {
-          g = g * (a == b ? slopes.slope[l][b][rest % S] : at.stencil.weight[l][b][rest % S]);
-        }
-        store(batch.gradient[l][s][a], g);
-      }
-    }
-  }
-}
-
-template <class Kernel, int D>
-void fill_batch(const FlowPoints<D>& points, std::int64_t first, double scale, bool affine,
-                Batch<Kernel, D>& batch) {
-  Wide u[D], xi[D];
-  for (int a = 0; a < D; ++a) {
-    u[a] = load_any(points.local[std::size_t(a)].data() + first);
-    xi[a] = load_any(points.xi[std::size_t(a)].data() + first);
-  }
-  const auto at = Kernel::template at<Wide, D>(u);
-  if constexpr (Kernel::has_inverse_moment) {
-    if (affine) {
-      affine_gradients<Kernel, D>(at, batch);
-    } else {
-      weight_gradients<Kernel, D>(at, batch);
-    }
-  } else {
-    weight_gradients<Kernel, D>(at, batch);
-  }
-  for (int l = 0; l < Kernel::lattices; ++l) {
-    store(batch.base[l], at.stencil.base[l]);
-  }
-  const Wide pull = load_any(points.volume.data() + first) * scale;
-  alignas(64) double hats[1 << D][width];
-  for (int k = 0; k < (1 << D); ++k) {
-    Wide n = pull;
-    for (int a = 0; a < D; ++a) n = n * ((k >> (D - 1 - a) & 1) != 0 ? xi[a] : 1.0 - xi[a]);
-    store(hats[k], n);
-  }
-  for (int i = 0; i < width; ++i) {
-    for (int k = 0; k < (1 << D); ++k) batch.hat[i][k] = hats[k][i];
-  }
-}
 
 /// Sets the nodes that points within a box touch, from the nodes of its two ends.
 template <class Kernel, int D, int spacing>
@@ -185,71 +43,42 @@ void set_range(const FlowPoints<D>& points, const FlowRun<D>& run,
   }
 }
 
-/// Adds the points `begin` to `end`, all of one cell. lowest[l][a]: place of the arena's lowest
-/// node of a lattice among the cell's.
-template <class Kernel, int D, int spacing>
-// NOLINTNEXTLINE(readability-function-size): a kernel's body
-void add_points(const FlowPoints<D>& points, std::int64_t begin, std::int64_t end, double scale,
-                double cell_size, bool affine, const int (&lowest)[Kernel::lattices][D],
-                CellScratch<Kernel, D, spacing>& scratch) {
-  using Scratch = CellScratch<Kernel, D, spacing>;
-  using Hats = Pack<double, Scratch::corners>;
-  constexpr int S = Kernel::support, nodes = power(S, D), extent = Scratch::extent;
-  static constexpr ArenaNodes<Kernel, D, extent> arena;
-  static constexpr StencilNodes<D, S, extent> stencil;
-  Batch<Kernel, D> batch;
-  for (std::int64_t first = begin; first < end; first += width) {
-    fill_batch<Kernel, D>(points, first, scale, affine, batch);
-    const int active = int(std::min<std::int64_t>(width, end - first));
-    for (int i = 0; i < active; ++i) {
-      const Hats hat = load<Hats>(batch.hat[i]);
-      const bool loaded = !points.loaded.empty() && points.loaded[std::size_t(first + i)] != 0;
-      for (int l = 0; l < Kernel::lattices; ++l) {
-        const int from = int(batch.base[l][i]) - l * arena.count;
-        int node = arena.at[std::size_t(from)], digit[D];  // of the lowest node, in the cell
-        for (int a = D - 1, rest = from, stride = 1; a >= 0; --a, stride *= extent) {
-          node += lowest[l][a] * stride;
-          if constexpr (S > 2) digit[a] = rest % Kernel::arena_extent + lowest[l][a];
-          if constexpr (S > 2) rest /= Kernel::arena_extent;
-        }
-        for (int s = 0; s < nodes; ++s) {
-          if constexpr (S > 2) {
-            // On the rim of its support, where rounding may decide, a node's weight is zero.
-            bool inside = true;
-            for (int a = D - 1, rest = s; a >= 0; --a, rest /= S) {
-              inside = inside && digit[a] + rest % S >= 0 && digit[a] + rest % S < extent;
-            }
-            if (!inside) continue;
-          }
-          const int n = l * Scratch::nodes + node + stencil.at[std::size_t(s)];
-          const double(&gradient)[D][width] = batch.gradient[l][s];
-          for (int a = 0; a < D; ++a) {
-            double* q = scratch.q[n][a];
-            store(q, mul_add(broadcast<Hats>(gradient[a][i]), hat, load<Hats>(q)));
-          }
-          if (!loaded) continue;
-          const auto& moment = points.moments[std::size_t(first + i)];
-          for (int a = 0; a < D; ++a) {
-            for (int b = 0; b < D; ++b) {
-              scratch.load[n][a] +=
-                  moment[std::size_t(a) * D + std::size_t(b)] * gradient[b][i] / cell_size;
-            }
-          }
-        }
-      }
-    }
+/// The chunks of a body by columns of blocks that differ in the last axis only, in its order: what
+/// one block leaves in the cache the next one finds there. Columns of one colour, the parity of the
+/// other axes, share no node.
+template <int D>
+auto columns_of(const FlowPoints<D>& points, std::int32_t body) {
+  using Column = std::vector<const FlowChunk<D>*>;
+  std::vector<const FlowChunk<D>*> chunks;
+  for (const FlowChunk<D>& chunk : points.chunks) {
+    if (chunk.body == body) chunks.push_back(&chunk);
   }
+  std::sort(chunks.begin(), chunks.end(),
+            [](const auto* a, const auto* b) { return a->block < b->block; });
+  std::array<std::vector<Column>, std::size_t(1) << (D - 1)> colours;
+  const FlowChunk<D>* last = nullptr;
+  for (const FlowChunk<D>* chunk : chunks) {
+    const std::size_t colour = std::size_t(chunk->colour >> 1);
+    const bool same = last != nullptr &&
+                      std::equal(last->block.begin(), last->block.end() - 1, chunk->block.begin());
+    if (!same) colours[colour].emplace_back();
+    colours[colour].back().push_back(chunk);
+    last = chunk;
+  }
+  return colours;
 }
 
 }  // namespace
 
-/// Adds what the points of a cell have brought to the groups around it, and clears it.
+/// Adds what the points of a cell have brought to a lattice's nodes to the groups around the cell,
+/// and clears it.
 template <int D>
 template <class Kernel, int spacing, class Scratch>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
 void VolumeOperator<D>::flush(const PressureNode<D>& cell, Scratch& scratch) {
   constexpr int reach = Scratch::reach, extent = Scratch::extent, corners = Scratch::corners;
   constexpr int hats_axis = reach + 1, own = power(spacing, D);
+  const int l = scratch.lattice;
   for (int g = 0; g < power(reach, D); ++g) {
     PressureNode<D> base = cell;
     int first[D], hat = 0;
@@ -260,16 +89,15 @@ void VolumeOperator<D>::flush(const PressureNode<D>& cell, Scratch& scratch) {
     }
     const std::int32_t group = find_group(base);
     if (group < 0) continue;
-    for (int s = 0; s < Kernel::lattices * own; ++s) {  // as they lie in memory
-      const int l = s / own;
+    for (int s = 0; s < own; ++s) {  // as they lie in memory
       bool reached = true;
-      int node = l * Scratch::nodes;
+      int node = 0;
       for (int a = D - 1, rest = s, stride = 1; a >= 0; --a, rest /= spacing, stride *= extent) {
         const int at = first[a] + rest % spacing;
         reached = reached && at >= scratch.lower[l][a] && at <= scratch.upper[l][a];
         node += at * stride;
       }
-      const std::size_t place = std::size_t(group) * std::size_t(slots_) + std::size_t(s);
+      const std::size_t place = std::size_t(group) * std::size_t(slots_) + std::size_t(l * own + s);
       if (!reached || record_[place] < 0) continue;
       double* q = touched(place) + hat;
       for (int a = 0; a < D; ++a) {
@@ -294,9 +122,12 @@ template <class Kernel, int spacing>
 void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk,
                                       double biot) {
   using Scratch = CellScratch<Kernel, D, spacing>;
+  using Group = PointGroup<Kernel, D>;
   Scratch scratch;
+  Group group;
+  NodeOrder<Kernel, D, spacing> order;
   for (const FlowRun<D>& run : chunk.runs) {
-    int lowest[Kernel::lattices][D];
+    int lowest[Kernel::lattices][D];  // place of the arena's lowest node among the cell's
     for (int l = 0; l < Kernel::lattices; ++l) {
       for (int a = 0; a < D; ++a) {
         lowest[l][a] = block_cells * chunk.block[std::size_t(a)] + Kernel::first_node(l) -
@@ -304,9 +135,36 @@ void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChu
       }
     }
     set_range<Kernel, D, spacing>(points, run, lowest, scratch);
-    add_points<Kernel, D, spacing>(points, run.begin, run.end, biot / cell_size_, cell_size_,
-                                   transfer_ == TransferType::mls, lowest, scratch);
-    flush<Kernel, spacing>(run.cell, scratch);
+    // The groups come into the second cache while the points are worked out.
+    const auto fetch_group = [&](int g) {
+      PressureNode<D> base = run.cell;
+      for (int a = D - 1; a >= 0; --a, g /= Scratch::reach) {
+        base[std::size_t(a)] += g % Scratch::reach - (Scratch::reach - 1);
+      }
+      const std::int32_t group = find_group(base);
+      if (group < 0) return;
+      const std::int64_t size = std::int64_t(slots_) * D * stride_;
+      const double* q = q_.data() + group * size;
+      for (std::int64_t i = 0; i < size; i += 8) __builtin_prefetch(q + i, 0, 2);
+    };
+    for (std::int64_t first = run.begin; first < run.end; first += Group::most) {
+      const int count = int(std::min<std::int64_t>(Group::most, run.end - first));
+      for (int i = 0; i < count; i += lanes_of<Lanes<double>>) {
+        fill_points<Kernel, D>(points, first + i, biot / cell_size_, transfer_ == TransferType::mls,
+                               i, group);
+        const int batch = int(first - run.begin + i) / lanes_of<Lanes<double>>;
+        if (batch < power(Scratch::reach, D)) fetch_group(batch);
+      }
+      for (int l = 0; l < Kernel::lattices; ++l) {
+        scratch.lattice = l;
+        order.sort(group.base[l], l * power(Kernel::arena_extent, D), lowest[l], count);
+        add_group<Kernel, D, spacing>(group, order, scratch);
+        if (!points.loaded.empty()) {
+          add_moments(points, first, count, cell_size_, group, order, scratch);
+        }
+        flush<Kernel, spacing>(run.cell, scratch);
+      }
+    }
   }
 }
 
@@ -314,15 +172,13 @@ template <int D>
 template <class Kernel, int spacing>
 void VolumeOperator<D>::scatter(const FlowPoints<D>& points, const std::vector<double>& biot,
                                 ThreadPool& pool) {
-  // Bodies one after the other, blocks of one colour at a time: each node's sum has one order.
+  // Bodies one after the other, columns of one colour at a time: each node's sum has one order.
   for (std::size_t body = 0; body < biot.size(); ++body) {
-    for (std::int32_t colour = 0; colour < (1 << D); ++colour) {
-      std::vector<const FlowChunk<D>*> together;
-      for (const FlowChunk<D>& chunk : points.chunks) {
-        if (chunk.body == std::int32_t(body) && chunk.colour == colour) together.push_back(&chunk);
-      }
-      pool.for_each(std::int64_t(together.size()), [&](std::int64_t c, int) {
-        scatter_chunk<Kernel, spacing>(points, *together[std::size_t(c)], biot[body]);
+    for (const auto& columns : columns_of(points, std::int32_t(body))) {
+      pool.for_each(std::int64_t(columns.size()), [&](std::int64_t c, int) {
+        for (const FlowChunk<D>* chunk : columns[std::size_t(c)]) {
+          scatter_chunk<Kernel, spacing>(points, *chunk, biot[body]);
+        }
       });
     }
   }

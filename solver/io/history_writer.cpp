@@ -29,8 +29,8 @@ std::vector<std::string> history_columns(const HistoryParts& parts) {
   }
   names.insert(names.end(), {"kinetic_energy", "elastic_energy", "max_speed"});
   if (parts.drains) {
-    names.insert(names.end(),
-                 {"fluid_mass", "fluid_outflow", "fluid_balance_error", "pressure_iterations"});
+    names.insert(names.end(), {"fluid_mass", "fluid_outflow", "fluid_balance_error",
+                               "pressure_iterations", "step_halvings"});
     for (const std::string& drain : *parts.drains) names.push_back("fluid_outflow_" + drain);
   }
   if (parts.loads) names.emplace_back("external_work");
@@ -84,7 +84,7 @@ void HistoryWriter::add(const HistoryRow& row) {
   if (row.fluid) {
     const double numbers[3] = {row.fluid->mass, row.fluid->outflow, row.fluid->error};
     append_numbers(line, numbers, 3);
-    fmt::format_to(std::back_inserter(line), ",{}", row.fluid->iterations);
+    fmt::format_to(std::back_inserter(line), ",{},{}", row.fluid->iterations, row.fluid->halvings);
     append_numbers(line, row.fluid->surfaces.data(), int(row.fluid->surfaces.size()));
   }
   if (row.external_work) append_numbers(line, &*row.external_work, 1);

@@ -52,6 +52,7 @@ struct FluidBalance {
   int iterations = 0;  ///< of the last step's solve for the pressure
   /// Of `outflow`, what left through each drained surface [kg], in the deck's order.
   std::vector<double> surfaces;
+  std::int64_t halvings = 0;  ///< of steps whose solve did not converge, since t = 0
 };
 
 /// One row of history.csv. Momenta are those of the particles, the angular one with the affine

@@ -4,6 +4,8 @@
 #include <limits>
 
 #include "solver/base/error.hpp"
+#include "solver/coupling/coupled_flow.hpp"
+#include "solver/coupling/point_order.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 
 namespace scree {
@@ -64,10 +66,10 @@ template <int D, class T>
 void SimulationImpl<D, T>::note_masses() {
   if (!flow_) return;
   const AlignedVector<T>& nodes = backend_->momenta();
-  std::vector<double> mass(nodes.size() / node_values);
+  std::vector<double>& mass = flow_->constraints().masses();
+  mass.resize(nodes.size() / node_values);
   for (std::size_t r = 0; r < mass.size(); ++r)
     mass[r] = double(nodes[r * node_values + mass_slot]);
-  flow_->constraints().begin_step(std::move(mass));
 }
 
 /// The blocks of particles with water; returns the number of these.
@@ -113,21 +115,20 @@ void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& b
                                          FlowPoints<D>& points) {
   constexpr int width = ParticleStore<D, T>::width;
   const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
-  std::array<std::vector<double>, D> local;
-  for (std::size_t a = 0; a < D; ++a) {
-    local[a].resize(std::size_t(block.count));
-    for (int i = 0; i < block.count; ++i) {
-      const T* batch = store.batch(block.batches[std::size_t(i / width)]);
-      local[a][std::size_t(i)] = double(batch[int(a) * width + i % width]);
-    }
+  thread_local PointOrder<D> order;
+  order.resize(block.count);
+  for (std::size_t k = 0; k < block.batches.size(); ++k) {
+    const T* batch = store.batch(block.batches[k]);
+    const int first = int(k) * width, count = std::min(width, block.count - first);
+    for (int a = 0; a < D; ++a) std::copy_n(batch + a * width, count, order.local(a) + first);
   }
-  for (int i = 0; i < block.count; ++i) {
-    flow_->prefetch(store.ids(block.batches[std::size_t(i / width)])[i % width]);
-  }
-  std::vector<std::int32_t> rank;
-  arrange<D>(chunk, flow_->lattice(), local, points, rank);
+  order.arrange(chunk, flow_->lattice(), points);
   FlowIncrements<D> increments;
   for (int first = 0; first < block.count; first += increments.width) {
+    for (int i = first + increments.width; i < std::min(block.count, first + 2 * increments.width);
+         ++i) {
+      flow_->prefetch(store.ids(block.batches[std::size_t(i / width)])[i % width]);
+    }
     const std::int32_t b = block.batches[std::size_t(first / width)];
     const int lane = first % width;
     const T* aux = store.aux_batch(b) + layout_.increment * width + lane;
@@ -138,7 +139,7 @@ void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& b
     }
     increments.count = std::min(increments.width, block.count - first);
     for (int i = 0; i < increments.count; ++i) {
-      const std::int64_t point = chunk.begin + rank[std::size_t(first + i)];
+      const std::int64_t point = order.place(first + i);
       const std::int64_t id = store.ids(b)[lane + i];
       increments.point[i] = point;
       points.id[std::size_t(point)] = id;
@@ -169,18 +170,28 @@ void SimulationImpl<D, T>::set_moments(FlowPoints<D>& points) const {
   }
 }
 
-/// Velocities under the effective stress -> velocities under the pore pressure too.
+/// The pores at the step's start.
 template <int D, class T>
-void SimulationImpl<D, T>::couple_flow() {
+void SimulationImpl<D, T>::collect_flow() {
   if (!flow_) return;
   const auto start = std::chrono::steady_clock::now();
   backend_->give_particles();
-  const UpdatedGrid<D, T> grid = backend_->updated_grid();
-  AlignedVector<T>& nodes = *grid.velocities;
   flow_->follow(backend_->grid().topology());
   collect_flow_points();
+  time_phase(Phase::pressure, start);
+}
+
+/// Velocities under the effective stress -> velocities under the pore pressure too. False: the step
+/// has to be tried again with half its length; it has been halved so many times already.
+template <int D, class T>
+bool SimulationImpl<D, T>::couple_flow(int halvings) {
+  if (!flow_) return true;
+  const auto start = std::chrono::steady_clock::now();
+  const UpdatedGrid<D, T> grid = backend_->updated_grid();
+  AlignedVector<T>& nodes = *grid.velocities;
   const std::size_t records = nodes.size() / node_values;
-  std::vector<double> velocity(records * D);
+  std::vector<double>& velocity = flow_->velocity();
+  velocity.resize(records * D);
   for (std::size_t r = 0; r < records; ++r) {
     for (std::size_t a = 0; a < D; ++a) velocity[r * D + a] = double(nodes[r * node_values + a]);
   }
@@ -195,7 +206,11 @@ void SimulationImpl<D, T>::couple_flow() {
   step.decisions.keep = forces.kept();
   step.colliders = &colliders_;
   step.touch = 64 * double(std::numeric_limits<T>::epsilon());
-  flow_->solve(step, velocity, backend_->grid().topology(), executor_.pool());
+  if (!flow_->solve(step, backend_->grid().topology(), executor_.pool())) {
+    time_phase(Phase::pressure, start);
+    if (halvings < flow_->most_halvings()) return false;
+    throw RunFault(flow_->failure(step.end, halvings));
+  }
   for (std::size_t r = 0; r < records; ++r) {
     for (std::size_t a = 0; a < D; ++a) {
       T& v = nodes[r * node_values + a];
@@ -206,7 +221,20 @@ void SimulationImpl<D, T>::couple_flow() {
   }
   grid.update->add_reactions(flow_->reactions());
   time_phase(Phase::pressure, start);
+  return true;
 }
+
+/// Before the pressures nothing of the step has reached particles or water: it begins again.
+template <int D, class T>
+void SimulationImpl<D, T>::halve_step() {
+  clock_.dt *= 0.5;
+  clock_.next_time = clock_.time + clock_.dt;
+  for (Collider& collider : colliders_) collider.set_step(clock_.time, clock_.dt);
+  flow_->note_halving();
+}
+
+template <int D, class T>
+SimulationImpl<D, T>::~SimulationImpl() = default;
 
 template class SimulationImpl<2, float>;
 template class SimulationImpl<2, double>;

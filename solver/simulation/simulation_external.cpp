@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 
 namespace scree {
@@ -156,8 +157,7 @@ void SimulationImpl<D, T>::add_gained_weight() {
       for (int i = 0; i < block.count; ++i) {
         const std::int32_t b = block.batches[std::size_t(i / width)];
         const std::int64_t id = store.ids(b)[i % width];
-        const double share =
-            water && id >= 0 ? flow_->gained_mass(info.body_index, id) * per_mass : 0.0;
+        const double share = water && id >= 0 ? flow_->gained_mass(id) * per_mass : 0.0;
         T* force = store.aux_batch(b) + layout_.external * width + i % width;
         for (int a = 0; a < D; ++a) {
           const double load = external_ ? double(force[a * width]) : 0.0;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/backend.hpp"
 #include "solver/simulation/external_force.hpp"
 #include "solver/simulation/particle_view.hpp"
@@ -20,6 +19,12 @@ namespace scree {
 
 struct FieldSource;
 class MaterialPoint;
+template <int D>
+class CoupledFlow;
+template <int D>
+struct FlowChunk;
+template <int D>
+struct FlowPoints;
 
 enum class Phase { binning, grid, particles, stress, external, pressure, count };
 
@@ -29,6 +34,7 @@ class SimulationImpl final : public Simulation {
  public:
   /// device: where to compute; null: this machine's processor.
   SimulationImpl(SimulationSetup setup, std::shared_ptr<const DeviceToolkit> device);
+  ~SimulationImpl() override;
 
   void step() override;
   double time() const override { return clock_.time; }
@@ -104,7 +110,9 @@ class SimulationImpl final : public Simulation {
   void make_flow();
   void start_flow();
   void note_masses();
-  void couple_flow();
+  void collect_flow();
+  bool couple_flow(int halvings);
+  void halve_step();
   using FlowBlock = typename ParticleStore<D, T>::Block;
   std::int64_t list_flow_chunks(FlowPoints<D>& points, std::vector<const FlowBlock*>& blocks) const;
   void collect_flow_points();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/particle_view.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 #include "solver/simulation/visit_block.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "solver/base/error.hpp"
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/device/device_backend.hpp"
 #include "solver/simulation/cpu_backend.hpp"
 #include "solver/simulation/lone_particle.hpp"

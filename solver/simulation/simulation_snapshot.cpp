@@ -6,6 +6,7 @@
 #include "materials/material_point.hpp"
 #include "materials/registry.hpp"
 #include "solver/base/error.hpp"
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/particle_values.hpp"
 #include "solver/simulation/particle_view.hpp"
 #include "solver/simulation/simulation_impl.hpp"

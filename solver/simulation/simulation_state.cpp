@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "solver/base/error.hpp"
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 
 namespace scree {

@@ -44,10 +44,14 @@ void SimulationImpl<D, T>::step_fused() {
 template <int D, class T>
 void SimulationImpl<D, T>::step_split() {
   update_external();
-  scatter_all(clock_.dt);
-  note_masses();
-  update_grid();
-  couple_flow();
+  collect_flow();
+  for (int halvings = 0;; ++halvings) {
+    scatter_all(clock_.dt);
+    note_masses();
+    update_grid();
+    if (couple_flow(halvings)) break;
+    halve_step();
+  }
   planned_ = plan(clock_.next_time, step_ + 1);
   const Parameters pass = parameters(clock_.dt, clock_.dt);
   auto start = Clock::now();

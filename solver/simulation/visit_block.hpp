@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/particle_view.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 

@@ -65,6 +65,8 @@ const std::vector<WetDeck> cases{
      11, R"~(kernel = "quadratic")~"},
     {pores, "[coupling]\ntype = \"biot\"\npreconditioner = \"ilu\"\n",
      R"~(deck.toml:27:18: coupling.preconditioner = "ilu": unknown name; allowed: icc, jacobi, gamg, hypre, ml)~"},
+    {pores, "[coupling]\ntype = \"biot\"\nhalvings = 21\n",
+     R"~(deck.toml:27:12: coupling.halvings = 21: is too large; allowed: at least 0 and at most 20)~"},
     {pores, "[coupling]\ntype = \"biot\"\nsolver_options = \"-scree_p_ksp_rtol 1e-9 -ksp_type minres\"\n",
      R"~(deck.toml:27:18: coupling.solver_options = "-scree_p_ksp_rtol 1e-9 -ksp_type minres": "-ksp_type" is no option of the pressure solve; allowed: options that begin with -scree_p_)~"},
     {pores, "[coupling]\ntype = \"biot\"\nsolver_options = \"-scree_p_ksp_rtoll 1e-9 -scree_p_ksp_max_it 50\"\n",

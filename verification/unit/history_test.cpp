@@ -62,16 +62,16 @@ TEST(History, PoresAndLoadsAddTheirColumns) {
   const std::vector<std::string> plain = history_columns({}),
                                  full = history_columns({{}, DrainNames({"top"}), true});
   const std::vector<std::string> more(full.begin() + std::ptrdiff_t(plain.size()), full.end());
-  const std::vector<std::string> expected{"fluid_mass",          "fluid_outflow",
-                                          "fluid_balance_error", "pressure_iterations",
-                                          "fluid_outflow_top",   "external_work"};
+  const std::vector<std::string> expected{
+      "fluid_mass",    "fluid_outflow",     "fluid_balance_error", "pressure_iterations",
+      "step_halvings", "fluid_outflow_top", "external_work"};
   EXPECT_EQ(more, expected);
 }
 
 TEST(History, WaterThatFlowsHasItsBalanceAndTheOutflowOfEachSurface) {
   const TemporaryFolder folder;
   HistoryRow row = sample_row(3);
-  row.fluid = FluidBalance{0.1, 0.3, 1.0 / 3.0, 7, {0.2, 0.1}};
+  row.fluid = FluidBalance{0.1, 0.3, 1.0 / 3.0, 7, {0.2, 0.1}, 5};
   row.collider_force_torque = {{1, 2, 3, 4, 5, 6}};
   row.collider_work = {7};
   HistoryWriter writer =
@@ -79,13 +79,14 @@ TEST(History, WaterThatFlowsHasItsBalanceAndTheOutflowOfEachSurface) {
   writer.add(row);
   const auto lines = lines_of(read_text(folder / "history.csv"));
   EXPECT_NE(
-      lines[0].find(",max_speed,fluid_mass,fluid_outflow,fluid_balance_error,"
-                    "pressure_iterations,fluid_outflow_top,fluid_outflow_fluid,plate_force_x"),
+      lines[0].find(
+          ",max_speed,fluid_mass,fluid_outflow,fluid_balance_error,"
+          "pressure_iterations,step_halvings,fluid_outflow_top,fluid_outflow_fluid,plate_force_x"),
       std::string::npos);
   const std::vector<double> numbers = numbers_of(lines[1]);
-  const std::vector<double> expected = {0.1, 0.3, 1.0 / 3.0, 7, 0.2, 0.1, 1};
-  ASSERT_EQ(numbers.size(), 17 + 6 + 7u);
-  EXPECT_EQ(std::vector<double>(numbers.begin() + 17, numbers.begin() + 24), expected);
+  const std::vector<double> expected = {0.1, 0.3, 1.0 / 3.0, 7, 5, 0.2, 0.1, 1};
+  ASSERT_EQ(numbers.size(), 17 + 7 + 7u);
+  EXPECT_EQ(std::vector<double>(numbers.begin() + 17, numbers.begin() + 25), expected);
   row.fluid->surfaces.pop_back();
   EXPECT_THROW(writer.add(row), std::logic_error);
   row.fluid.reset();

@@ -163,6 +163,61 @@ TEST(PoreWaterSteps, SolveThatDoesNotConvergeEndsTheRun) {
   }
 }
 
+/// Stiff water on springs of its own: the shorter the step, the fewer iterations.
+SoilColumn springy_column(const std::string& options, int halvings) {
+  SoilColumn column = short_column(1, 0.01);
+  column.pores.fluid_modulus = 50 * column.youngs_modulus;
+  column.coupling.preconditioner = "jacobi";
+  column.coupling.solver_options = options;
+  column.coupling.halvings = halvings;
+  return column;
+}
+
+/// A step that was halved is the step of a run with that step: nothing is left of what was tried.
+TEST(PoreWaterSteps, StepThatDoesNotConvergeIsHalved) {
+  const auto free = Simulation::create(column_setup(springy_column("", 0)));
+  const double whole = free->dt();
+  free->step();
+  const int enough = free->history().fluid->iterations;
+  const std::string options = "-scree_p_ksp_max_it " + std::to_string(enough - 1);
+  const auto halved = Simulation::create(column_setup(springy_column(options, 10)));
+  halved->step();
+  const std::int64_t halvings = halved->history().fluid->halvings;
+  EXPECT_GE(halvings, 1);
+  EXPECT_LT(halved->history().fluid->iterations, enough);
+  EXPECT_EQ(halved->time(), whole / double(1 << halvings));
+  SimulationSetup setup = column_setup(springy_column(options, 0));
+  setup.step = halved->time();
+  const auto small = Simulation::create(std::move(setup));
+  small->step();
+  EXPECT_EQ(small->time(), halved->time());
+  EXPECT_EQ(pressures(*halved), pressures(*small));
+  const auto places = [](const Simulation& simulation) {
+    return simulation.particles({"velocity", "displacement"});
+  };
+  for (const char* name : {"velocity", "displacement"}) {
+    EXPECT_EQ(field(places(*halved), name).values, field(places(*small), name).values) << name;
+  }
+  halved->step();  // goes on with whole steps
+  EXPECT_LE(halved->time(), whole / double(1 << halvings) + whole);
+}
+
+TEST(PoreWaterSteps, HalvingsHaveAnEnd) {
+  const auto simulation =
+      Simulation::create(column_setup(springy_column("-scree_p_ksp_max_it 1", 2)));
+  try {
+    simulation->step();
+    ADD_FAILURE() << "no fault";
+  } catch (const RunFault& fault) {
+    const std::string text = fault.what();
+    for (const char* part : {"the solver stopped after 1 iterations", "relative residual of ",
+                             "the step was halved 2 times"}) {
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+  }
+  EXPECT_EQ(simulation->history().fluid->halvings, 2);
+}
+
 /// The load on the upper faces of particles on their lattice.
 TractionSetup strip_of(const std::vector<Vector>& points,
                        const verify::cases::strip_load::Ground& ground, double between,
