@@ -239,6 +239,7 @@ SimulationSetup build_setup(const Deck& deck) {
       setup.face_friction[std::size_t(a)][std::size_t(side)] = face.coefficient;
     }
   }
+  setup.no_slip = deck.boundary.no_slip;
   setup.colliders = deck.colliders;
   set_loads(deck, setup);
   if (deck.coupling) {

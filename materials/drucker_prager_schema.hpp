@@ -91,8 +91,8 @@ inline std::optional<Finding> dilation_finding(const DruckerPrager::Input& in) {
   const FrictionHardening h = in.hardening();
   // 1e-12: h0 - h3 is rounded.
   const double friction = h.all_given() ? h.angle(0) * (1 + 1e-12) : in.friction_angle;
-  // Without any friction angle the other check speaks.
-  if (std::isnan(friction) || in.dilation_angle <= friction) return std::nullopt;
+  // Without any friction angle, or with h3 above h0, the other check speaks.
+  if (std::isnan(friction) || friction < 0 || in.dilation_angle <= friction) return std::nullopt;
   return Finding{"dilation_angle", "dilation above friction would create energy",
                  h.all_given() ? "0 to h0 - h3" : "0 to friction_angle",
                  h.all_given() ? "lower dilation_angle or h3"

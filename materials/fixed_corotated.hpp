@@ -17,6 +17,7 @@ namespace scree {
 struct FixedCorotated {
   static constexpr const char* name = "fixed_corotated";
   static constexpr bool effective_stress = true;
+  static constexpr bool long_chains = true;
 
   struct Input {
     double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< Pa
@@ -67,7 +68,17 @@ struct FixedCorotated {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T /*dt*/) {
+    advance(p, s, L);
+    return stress(p, s);
+  }
+
+  template <class V, class T>
+  SCREE_FN static void advance(const Params<T>&, State<V>& s, const Mat3<V>& L) {
     s.F = detail::advance_gradient(L, s.F);
+  }
+
+  template <class V, class T>
+  SCREE_FN static Sym3<V> stress(const Params<T>& p, const State<V>& s) {
     const V J = det(s.F);
     const Sym3<V> shear = stretch_excess(s.F, symmetric_product(s.F), J);
     return detail::plus_diagonal(shear * broadcast<V>(2 * p.mu), p.lambda * J * (J - T(1)));

@@ -59,8 +59,19 @@ struct Hencky : HenckySolid {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T /*dt*/) {
-    const auto trial = detail::hencky_trial(s.F, s.log_volume_ratio, L);
-    return detail::hencky_stress(p.lambda, p.mu, trial.axes, trial.strain);
+    advance(p, s, L);
+    return stress(p, s);
+  }
+
+  template <class V, class T>
+  SCREE_FN static void advance(const Params<T>&, State<V>& s, const Mat3<V>& L) {
+    detail::hencky_advance(s.F, s.log_volume_ratio, L);
+  }
+
+  template <class V, class T>
+  SCREE_FN static Sym3<V> stress(const Params<T>& p, const State<V>& s) {
+    const auto principal = detail::principal_strain(s.F);
+    return detail::hencky_stress(p.lambda, p.mu, principal.axes, principal.strain);
   }
 };
 

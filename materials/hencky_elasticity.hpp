@@ -45,11 +45,17 @@ SCREE_FN PrincipalStrain<V> principal_strain(const Mat3<V>& F) {
   return {b.vectors, log_stretches(b)};
 }
 
-/// The trial state of a step: F <- (I + L) F, ln J likewise; its principal strains.
+/// F <- (I + L) F, ln J likewise.
 template <class V>
-SCREE_FN PrincipalStrain<V> hencky_trial(Mat3<V>& F, V& log_volume_ratio, const Mat3<V>& L) {
+SCREE_FN void hencky_advance(Mat3<V>& F, V& log_volume_ratio, const Mat3<V>& L) {
   F = advance_gradient(L, F);
   log_volume_ratio = log_volume_ratio + log_determinant(L);
+}
+
+/// The trial state of a step, and its principal strains.
+template <class V>
+SCREE_FN PrincipalStrain<V> hencky_trial(Mat3<V>& F, V& log_volume_ratio, const Mat3<V>& L) {
+  hencky_advance(F, log_volume_ratio, L);
   return principal_strain(F);
 }
 

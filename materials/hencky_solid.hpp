@@ -10,6 +10,8 @@ namespace scree {
 /// Base of laws with the parameters lambda, mu and density, and with F (the elastic part) and
 /// log_volume_ratio in the state. P: the law's Params, S: its State.
 struct HenckySolid {
+  static constexpr bool long_chains = true;
+
   /// Of elasticity, which bounds associated flow too. Laws whose flow may be stiffer than that have
   /// a wave_speed of their own.
   template <class P, class S>

@@ -60,11 +60,20 @@ struct InadmissibleText {
 ///         False where the state has left the domain of the law (det F <= 0): the run ends with a
 ///         fault.
 ///
+/// A law whose stress is a function of its state may give the step in two parts, and kirchhoff as
+/// one after the other: a step then stores the state before it works out the stress, which on a
+/// GPU leaves more registers.
+///
+///     void advance(const Params<T>&, State<V>&, const Mat3<V>& L);
+///     Sym3<V> stress(const Params<T>&, const State<V>&);
+///
 /// Optional: `V yield_value(const Params<T>&, const State<V>&)`, the yield function over a scale of
 /// stress, at most 0 inside; `V void_ratio(...)`; `V momentum_diffusivity(...)` [m^2/s] of a law
 /// with explicit viscosity, which limits the time step; and the constants `effective_stress` (may
 /// carry pore water), `hyperelastic = false` (the elastic stress is no derivative of
-/// energy_density) and `explicit_hardening = true` (the yield surface moves after the return).
+/// energy_density), `explicit_hardening = true` (the yield surface moves after the return) and
+/// `long_chains = true` (eigenproblem, logarithms: most operations wait for the one before, so that
+/// a processor does better with two batches at a time).
 ///
 /// Optional functions of the Input, for decks; MaterialEntry says what they mean: `double
 /// rest_ratio(const Input&)`; `std::optional<State<double>> state_under(const Input&, const
@@ -84,6 +93,20 @@ concept Material = requires(const typename M::Input& input) {
   requires std::is_aggregate_v<typename M::template State<double>>;
   requires sizeof(typename M::template State<float>) % sizeof(float) == 0;
 };
+
+/// Whether a law gives its step in two parts.
+template <class M, class V, class T>
+inline constexpr bool stress_of_state = requires(const typename M::template Params<T>& params,
+                                                 const typename M::template State<V>& s) {
+  M::stress(params, s);
+};
+
+/// Number of batches whose update a processor interleaves.
+template <class M>
+inline constexpr int batches_together = requires {
+  requires M::long_chains;
+}
+? 2 : 1;
 
 /// Lame constants of an isotropic solid [Pa].
 struct LameConstants {

@@ -40,6 +40,7 @@ namespace scree {
 struct ModifiedCamClay {
   static constexpr const char* name = "modified_cam_clay";
   static constexpr bool effective_stress = true;
+  static constexpr bool long_chains = true;
   /// The stress is no derivative of energy_density: see above.
   static constexpr bool hyperelastic = false;
   static constexpr InadmissibleText inadmissible{
@@ -142,7 +143,8 @@ struct ModifiedCamClay {
     s.normalized_deviator = deviator * end.keep;
     s.log_preconsolidation = s.log_preconsolidation + end.hardening;
     s.equivalent_plastic_strain = s.equivalent_plastic_strain + end.shear_strain;
-    return detail::plus_diagonal(s.normalized_deviator, -end.ratio) * pc_times_J(p, s);
+    return detail::plus_diagonal(s.normalized_deviator, -end.ratio) *
+           kirchhoff_preconsolidation(p, s);
   }
 
   /// With L = w n^T the work of the stress rate is K (w.n)^2 + G (1 + (w.n)^2/3) + (n.sn - w.sw)/2,
@@ -154,7 +156,7 @@ struct ModifiedCamClay {
     const V bulk = line.volume * line.ratio() * (T(1) / p.kappa);
     const V stiffness = bulk * (T(1) + T(4.0 / 9.0) * p.three_shear_factor) +
                         T(0.70710678118654752) * norm(s.normalized_deviator);
-    return sqrt(stiffness * pc_times_J(p, s) * (T(1) / p.density));
+    return sqrt(stiffness * kirchhoff_preconsolidation(p, s) * (T(1) / p.density));
   }
 
   /// J (kappa p/v + |s|^2/(4 G)): the first term is what the pressure gives back along its swelling
@@ -164,7 +166,7 @@ struct ModifiedCamClay {
     const Swelling<V> line(p, s);
     const V ratio = line.ratio(), size = norm(s.normalized_deviator);
     const V shear = (T(0.75) / p.three_shear_factor) * (size * size / ratio);
-    return pc_times_J(p, s) * (p.kappa / line.volume) * (ratio + shear);
+    return kirchhoff_preconsolidation(p, s) * (p.kappa / line.volume) * (ratio + shear);
   }
 
   /// f/(M pc)^2, pc the present preconsolidation pressure.
@@ -229,9 +231,9 @@ struct ModifiedCamClay {
     }
   };
 
-  /// [Pa]
+  /// p_c J [Pa]
   template <class V, class T>
-  SCREE_FN static V pc_times_J(const Params<T>& p, const State<V>& s) {
+  SCREE_FN static V kirchhoff_preconsolidation(const Params<T>& p, const State<V>& s) {
     return p.preconsolidation * exp(s.log_preconsolidation + s.log_volume_ratio);
   }
 

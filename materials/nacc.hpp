@@ -31,6 +31,7 @@ namespace scree {
 struct Nacc {
   static constexpr const char* name = "nacc";
   static constexpr bool effective_stress = true;
+  static constexpr bool long_chains = true;
   /// yield_value may exceed 0 by the size of a step: see above.
   static constexpr bool explicit_hardening = true;
 

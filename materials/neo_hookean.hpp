@@ -61,7 +61,17 @@ struct NeoHookean {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T /*dt*/) {
+    advance(p, s, L);
+    return stress(p, s);
+  }
+
+  template <class V, class T>
+  SCREE_FN static void advance(const Params<T>&, State<V>& s, const Mat3<V>& L) {
     s.F = detail::advance_gradient(L, s.F);
+  }
+
+  template <class V, class T>
+  SCREE_FN static Sym3<V> stress(const Params<T>& p, const State<V>& s) {
     const Sym3<V> strain = detail::plus_diagonal(symmetric_product(s.F), broadcast<V>(T(-1)));
     return detail::plus_diagonal(strain * broadcast<V>(p.mu), p.lambda * log_volume(s.F));
   }

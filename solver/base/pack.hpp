@@ -136,6 +136,11 @@ struct alignas(W * sizeof(T)) Pack<T, W, true> {
 template <class T>
 using Lanes = Pack<T, 64 / int(sizeof(T))>;
 
+/// The lanes of one register. Long chains of operations on wider packs would keep more values alive
+/// than there are registers, and spend their time on moving them to the stack and back.
+template <class T>
+using RegisterLanes = Pack<T, detail::register_bytes / int(sizeof(T))>;
+
 namespace detail {
 template <class V>
 struct LaneTraits {

@@ -290,7 +290,9 @@ concept HasApproximations = requires(V a) {
 template <class V>
 SCREE_FN V rsqrt(V a) {
 #ifdef SCREE_AVX512
-  if constexpr (detail::HasApproximations<V>) {
+  if constexpr (detail::is_split<V>) {
+    return {rsqrt(a.low), rsqrt(a.high)};
+  } else if constexpr (detail::HasApproximations<V>) {
     using T = Scalar<V>;
     const V one = broadcast<V>(T(1));
     V y = detail::rsqrt14(a);
@@ -307,7 +309,9 @@ SCREE_FN V rsqrt(V a) {
 template <class V>
 SCREE_FN V rcp(V a) {
 #ifdef SCREE_AVX512
-  if constexpr (detail::HasApproximations<V>) {
+  if constexpr (detail::is_split<V>) {
+    return {rcp(a.low), rcp(a.high)};
+  } else if constexpr (detail::HasApproximations<V>) {
     const V one = broadcast<V>(Scalar<V>(1));
     V y = detail::rcp14(a);
     SCREE_UNROLL for (int i = 0; i < (sizeof(Scalar<V>) == 4 ? 1 : 2); ++i) {

@@ -3,6 +3,8 @@
 /// The stretch of a deformation without its rotation.
 #pragma once
 
+#include <type_traits>
+
 #include "solver/base/polar.hpp"
 
 namespace scree {
@@ -56,6 +58,9 @@ SCREE_FN Sym3<V> stretch_excess(const Mat3<V>& F, const Sym3<V>& b, const V& J) 
   const MaskOf<V> usual =
       (trace_b < Polar::square_max) & (J > Polar::det_min) &
       (trace_b * trace_b * trace_b <= detail::StretchLimits<T>::distortion * J * J);
+  if constexpr (std::is_arithmetic_v<V>) {
+    if (!usual) return sym((F - polar_rotation(F)) * transpose(F));
+  }
   // The others take the place of the identity meanwhile.
   const V zero = broadcast<V>(0), one = broadcast<V>(1);
   const Sym3<V> a = {select(usual, b.xx, one), select(usual, b.xy, zero), select(usual, b.xz, zero),
@@ -74,7 +79,7 @@ SCREE_FN Sym3<V> stretch_excess(const Mat3<V>& F, const Sym3<V>& b, const V& J) 
   const V factor = (i1 * i2 - i3) * inverse;
   Sym3<V> r = {a.xx - (i1 - factor * cxx), a.xy + factor * cxy, a.xz + factor * cxz,
                a.yy - (i1 - factor * cyy), a.yz + factor * cyz, a.zz - (i1 - factor * czz)};
-  if (!all(usual)) {
+  if (!std::is_arithmetic_v<V> && !all(usual)) {
     const Sym3<V> other = sym((F - polar_rotation(F)) * transpose(F));
     r = {select(usual, r.xx, other.xx), select(usual, r.xy, other.xy),
          select(usual, r.xz, other.xz), select(usual, r.yy, other.yy),

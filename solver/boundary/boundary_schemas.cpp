@@ -43,6 +43,19 @@ std::optional<Finding> lone_periodic_face(const BoundarySpec& spec, int axis) {
   return std::nullopt;
 }
 
+/// no_slip = "face" where no face can hold the material.
+std::optional<Finding> idle_no_slip(const BoundarySpec& spec, const SchemaContext& context) {
+  if (spec.no_slip == NoSlip::node) return std::nullopt;
+  for (int axis = 0; axis < context.dimension; ++axis) {
+    for (int side = 0; side < 2; ++side) {
+      const FaceType type = spec.face(axis, side).type;
+      if (type == FaceType::sticky || type == FaceType::friction) return std::nullopt;
+    }
+  }
+  return Finding{"no_slip", "no_slip concerns sticky and friction faces, and there is none", "",
+                 "delete no_slip, or make a face \"sticky\" or one with friction"};
+}
+
 Schema<BoundarySpec> make_boundary_schema() {
   Schema<BoundarySpec> s("boundary", "The faces of the domain.");
   s.table("x_min", &BoundarySpec::x_min, &face_schema).fallback_text("open").doc("Left face.");
@@ -57,6 +70,14 @@ Schema<BoundarySpec> make_boundary_schema() {
       .in_dimension(3)
       .fallback_text("open")
       .doc("Upper z face.");
+  s.choice("no_slip", &BoundarySpec::no_slip, no_slip_names())
+      .fallback(NoSlip::node)
+      .doc(
+          "Where sticky faces, and friction faces that hold, stop the material along them: at the "
+          "nodes beside the face, which then bears a part of a shear stress (first order), or at "
+          "the face itself, which bears the whole (second order; for fluids, slopes, shear flows). "
+          "Colliders always hold at nodes.");
+  s.check({"no_slip"}, idle_no_slip);
   for (int axis = 0; axis < 3; ++axis) {
     s.check({face_names[axis][0], face_names[axis][1]},
             [axis](const BoundarySpec& spec, const SchemaContext& context) {

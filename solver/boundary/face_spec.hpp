@@ -21,6 +21,12 @@ inline const std::vector<std::pair<std::string, FaceType>>& face_type_names() {
   return names;
 }
 
+inline const std::vector<std::pair<std::string, NoSlip>>& no_slip_names() {
+  static const std::vector<std::pair<std::string, NoSlip>> names{{"node", NoSlip::node},
+                                                                 {"face", NoSlip::face}};
+  return names;
+}
+
 /// One entry of `[boundary]`: a name, or a table {type, coefficient}.
 struct FaceSpec {
   FaceType type = FaceType::open;
@@ -31,6 +37,7 @@ struct FaceSpec {
 /// its opposite face periodic too.
 struct BoundarySpec {
   FaceSpec x_min, x_max, y_min, y_max, z_min, z_max;
+  NoSlip no_slip = NoSlip::node;  ///< face needs a sticky or friction face
 
   /// The face below (side 0) or above (side 1) the domain in `axis`.
   const FaceSpec& face(int axis, int side) const {

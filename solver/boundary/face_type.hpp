@@ -14,4 +14,10 @@ enum class FaceType {
   symmetry,  ///< the mirror plane of a symmetric problem; acts as slip
 };
 
+/// Where sticky faces, and friction faces that hold, stop the material along them.
+enum class NoSlip {
+  node,  ///< nodes beside the face; it bears a part of a shear stress (first order)
+  face,  ///< the face itself; it bears the whole (second order)
+};
+
 }  // namespace scree

@@ -19,21 +19,28 @@
 /// projection it never adds energy, and it equals a computation with the mirror image of the body
 /// beyond the wall. A node on the wall is its own mirror: v = R v, so v_n = 0 (sticky: v = 0).
 ///
-/// sticky does the same with the normal velocity and stops the ghost's tangential one; the real
-/// node's is then p1/m1, again the nearest. (An odd reflection of the tangential velocity too would
-/// put the plane of no slip at the wall exactly, but shears the last half cell as a film: a column
-/// of sand of aspect ratio 1.5 then ran out 2.34 instead of 2.15 widths; an independent code
-/// has 2.11.)
-///
 /// separate and friction fold as slip does if the wall pushes. The pair's material then loses the
 /// outward momentum J = (p1 + p2) . n - (m1 - m2) v . n = 2 (m2 p1 + m1 p2) . n / (m1 + m2), the
-/// impulse on the wall; the wall pushes if J > 0. Friction takes at most mu J from the tangential
-/// momentum. If J <= 0 both nodes move freely.
+/// impulse on the wall; the wall pushes if J > 0. If J <= 0 both nodes move freely.
+///
+/// A uniform stress beside a wall pulls at the two nodes of a pair with one half of the traction
+/// each. Walls that hold the material along them do so in one of two ways.
+///
+/// NoSlip::node: sticky stops the ghost's tangential velocity; the real node's is then p1/m1, again
+/// the nearest. Friction takes at most mu J from the tangential momentum of the folded node. Such a
+/// sticky wall bears half of a shear stress on this lattice, such a friction wall holds half a cell
+/// within.
+///
+/// NoSlip::face: sticky folds with R = -1. The velocity is then odd and vanishes on the wall
+/// between the nodes, and the wall bears the whole stress. Friction does the same if that takes a
+/// tangential impulse S = 2 (m2 p1 + m1 p2)_t / (m1 + m2) of at most mu J. Else the wall slips:
+/// each node loses the half of mu J S/|S|, and their tangential velocities stay their own. At |S| =
+/// mu J both are the same, and as the energy falls all the way to S, friction adds none.
 ///
 /// Where walls meet (edges, corners) a node has several ghosts: fold axis after axis on the nodes'
-/// masses and momenta, then take v = p/m, then unfold the axes in the reverse order with
-/// mirror_velocity. For slip and symmetry this is the joint projection on the constraints of all
-/// walls. All functions do nothing for open and periodic faces.
+/// masses and momenta, in the order of fold_stage, then take v = p/m, then unfold in the reverse
+/// order with mirror_velocity. For linear walls (slip, symmetry, sticky) this is the joint
+/// projection on the constraints of all. All functions do nothing for open and periodic faces.
 namespace scree {
 
 /// What a node carries before v = p / m.
@@ -49,13 +56,31 @@ SCREE_FN std::int64_t mirror_index(std::int64_t i, std::int64_t wall, int half) 
   return 2 * wall - half - i;
 }
 
+/// Faces fold in stages, axis after axis in each. What depends on the velocities acts on those that
+/// mirror planes and periodic faces have made whole: then it does not hang on the order of the
+/// axes.
+constexpr int fold_stages = 3;
+
+SCREE_FN int fold_stage(FaceType type, NoSlip no_slip) {
+  if (type == FaceType::sticky) return 2;
+  const bool may_leave = type == FaceType::separate || type == FaceType::friction;
+  return no_slip == NoSlip::face && may_leave ? 1 : 0;
+}
+
+/// Whether the velocity beyond a wall that folds is that within turned around, R = -1. (A friction
+/// wall with NoSlip::face folds only where it holds.)
+SCREE_FN bool turns_around(FaceType type, NoSlip no_slip) {
+  return no_slip == NoSlip::face && (type == FaceType::sticky || type == FaceType::friction);
+}
+
 /// R v, for `axis` normal to the wall.
 template <class T, int D>
-SCREE_FN Vec3<T> mirror_velocity(FaceType type, int axis, const Vec3<T>& v) {
+SCREE_FN Vec3<T> mirror_velocity(FaceType type, NoSlip no_slip, int axis, const Vec3<T>& v) {
+  const bool turned = turns_around(type, no_slip);
   Vec3<T> image = v;
-  SCREE_UNROLL for (int a = 0; a < D; ++a) image[a] = a == axis                  ? -v[a]
-                                                      : type == FaceType::sticky ? T(0)
-                                                                                 : v[a];
+  SCREE_UNROLL for (int a = 0; a < D; ++a) {
+    image[a] = a == axis || turned ? -v[a] : type == FaceType::sticky ? T(0) : v[a];
+  }
   return image;
 }
 
@@ -104,21 +129,46 @@ SCREE_FN Vec3<T> plane_node(FaceType type, T mu, int axis, int outward, NodeMome
   return impulse;
 }
 
-/// Applies a wall to a real node and its ghost. If the wall acts, the ghost's mass and momentum
-/// move to the real node and the ghost is left with mass 0: its velocity is then
-/// mirror_velocity(v_real). If not, both keep what they have. (A ghost without mass may be treated
-/// either way: no particle sees it.)
-/// Returns the impulse on the wall, kg m/s: the momentum that the pair's material loses. Where
-/// walls meet, later folds change what the earlier ones left; there the impulse on all of them
-/// together is (momentum before all folds) - (sum of m v after unfolding), which is the caller's to
-/// take.
+/// fold_pair for sticky and friction walls with NoSlip::face. Where friction slips, both nodes keep
+/// their masses, and their normal velocities are mirrored.
 template <class T, int D>
-SCREE_FN Vec3<T> fold_pair(FaceType type, T mu, int axis, int outward, NodeMomentum<T>& real,
-                           NodeMomentum<T>& ghost) {
-  Vec3<T> impulse{};
-  if (type == FaceType::open || type == FaceType::periodic) return impulse;
+SCREE_FN Vec3<T> hold_or_slide(FaceType type, T mu, int axis, int outward, NodeMomentum<T>& real,
+                               NodeMomentum<T>& ghost) {
   const T mass = real.mass + ghost.mass;
-  if (!(mass > 0)) return impulse;
+  Vec3<T> stop{};  // what it takes to stop the pair at the wall
+  SCREE_UNROLL for (int a = 0; a < D; ++a) {
+    stop[a] = 2 * (ghost.mass * real.momentum[a] + real.mass * ghost.momentum[a]) / mass;
+  }
+  Vec3<T> impulse = stop;
+  bool slides = false;
+  if (type == FaceType::friction) {
+    const T pushing = T(outward) * stop[axis];
+    if (!(pushing > 0)) return Vec3<T>{};
+    impulse = rub<T, D>(mu, axis, pushing, stop);  // leaves in stop what friction cannot take
+    impulse[axis] = stop[axis];
+    SCREE_UNROLL for (int a = 0; a < D; ++a) slides = slides || (a != axis && stop[a] != T(0));
+  }
+  if (slides) {
+    const T normal = (real.momentum[axis] - ghost.momentum[axis]) / mass;
+    SCREE_UNROLL for (int a = 0; a < D; ++a) {
+      real.momentum[a] = a == axis ? real.mass * normal : real.momentum[a] - impulse[a] / 2;
+      ghost.momentum[a] = a == axis ? -ghost.mass * normal : ghost.momentum[a] - impulse[a] / 2;
+    }
+    return impulse;
+  }
+  SCREE_UNROLL for (int a = 0; a < D; ++a) real.momentum[a] -= ghost.momentum[a];
+  real.mass = mass;
+  ghost.mass = 0;
+  ghost.momentum = Vec3<T>{};
+  return impulse;
+}
+
+/// fold_pair for all other walls.
+template <class T, int D>
+SCREE_FN Vec3<T> mirror_or_stop(FaceType type, T mu, int axis, int outward, NodeMomentum<T>& real,
+                                NodeMomentum<T>& ghost) {
+  Vec3<T> impulse{};
+  const T mass = real.mass + ghost.mass;
   const Vec3<T>& p = real.momentum;
   const Vec3<T>& q = ghost.momentum;
   impulse[axis] = 2 * (ghost.mass * p[axis] + real.mass * q[axis]) / mass;
@@ -128,7 +178,7 @@ SCREE_FN Vec3<T> fold_pair(FaceType type, T mu, int axis, int outward, NodeMomen
   // A held wall leaves the real node's tangential velocity alone and stops the ghost's: written as
   // the momentum that gives p1/m1 with the folded mass.
   const T keep = type == FaceType::sticky && real.mass > 0 ? mass / real.mass : T(1);
-  const Vec3<T> image = mirror_velocity<T, D>(type, axis, q);
+  const Vec3<T> image = mirror_velocity<T, D>(type, NoSlip::node, axis, q);
   SCREE_UNROLL for (int a = 0; a < D; ++a) {
     if (a != axis) {
       if (type == FaceType::sticky) impulse[a] = q[a];
@@ -144,6 +194,25 @@ SCREE_FN Vec3<T> fold_pair(FaceType type, T mu, int axis, int outward, NodeMomen
   ghost.mass = 0;
   ghost.momentum = Vec3<T>{};
   return impulse;
+}
+
+/// Applies a wall to a real node and its ghost. If the wall acts, the ghost's mass and momentum
+/// move to the real node and the ghost is left with mass 0: its velocity is then
+/// mirror_velocity(v_real). If not, both keep what they have. (A ghost without mass may be treated
+/// either way: no particle sees it.) For a friction wall that slips, see hold_or_slide.
+/// Returns the impulse on the wall, kg m/s: the momentum that the pair's material loses; its
+/// component `axis` is 0 if a wall that may be left did not act. Where walls meet, later folds
+/// change what the earlier ones left; there the impulse on all of them together is (momentum before
+/// all folds) - (sum of m v after unfolding), which is the caller's to take.
+template <class T, int D>
+SCREE_FN Vec3<T> fold_pair(FaceType type, NoSlip no_slip, T mu, int axis, int outward,
+                           NodeMomentum<T>& real, NodeMomentum<T>& ghost) {
+  if (type == FaceType::open || type == FaceType::periodic) return Vec3<T>{};
+  if (!(real.mass + ghost.mass > 0)) return Vec3<T>{};
+  if (turns_around(type, no_slip)) {
+    return hold_or_slide<T, D>(type, mu, axis, outward, real, ghost);
+  }
+  return mirror_or_stop<T, D>(type, mu, axis, outward, real, ghost);
 }
 
 }  // namespace scree

@@ -4,24 +4,40 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/grid/face_fold.hpp"
+
 namespace scree {
+
+namespace {
+
+/// Of a ghost's velocity along the wall, in its root's. Where a wall slips the pressure moves both
+/// nodes alike, as beside a mirror plane.
+std::int8_t sign_along(FaceType type, NoSlip no_slip, char state) {
+  if (turns_around(type, no_slip) && state == pair_follows) return -1;
+  return type == FaceType::sticky ? 0 : 1;
+}
+
+}  // namespace
 
 template <int D>
 void NodeConstraints<D>::follow_folds(const GridDecisions<D>& grid) {
   link_.assign(mass_.size(), Link{});
   special_.assign(mass_.size(), 0);
-  for (const bool held : {false, true}) {  // the order of the grid update
+  for (int stage = 0; stage < fold_stages; ++stage) {  // the order of the grid update
     for (int axis = 0; axis < D; ++axis) {
       const auto& pairs = (*grid.pairs)[std::size_t(axis)];
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const FacePair& pair = pairs[i];
-        if (pair.ghost == pair.image || (*grid.folded)[std::size_t(axis)][i] == 0) continue;
+        const char state = (*grid.folded)[std::size_t(axis)][i];
+        if (pair.ghost == pair.image || state == pair_apart) continue;
         if (!(mass_[std::size_t(pair.ghost)] > 0)) continue;  // no particle sees it
         const FaceType type = grid.faces->type[std::size_t(axis)][std::size_t(pair.side)];
-        if ((type == FaceType::sticky) != held) continue;
+        if (fold_stage(type, grid.faces->no_slip) != stage) continue;
         Link& link = link_[std::size_t(pair.ghost)];
         if (link.to >= 0) continue;  // it moved away before
-        link = {pair.image, std::int8_t(axis), std::int8_t(pair.side)};
+        const std::int8_t across = type == FaceType::periodic ? 1 : -1;
+        link = {pair.image, std::int8_t(axis), across,
+                sign_along(type, grid.faces->no_slip, state)};
         special_[std::size_t(pair.ghost)] = special_[std::size_t(pair.image)] = 1;
       }
     }
@@ -45,7 +61,8 @@ void NodeConstraints<D>::hold_walls(const GridDecisions<D>& grid,
       char& held = held_[std::size_t(pair.image)];
       const bool stuck = type == FaceType::friction && !slides;
       if (pair.ghost != pair.image) {
-        const bool follows = link_[std::size_t(pair.ghost)].to == pair.image;
+        const Link& link = link_[std::size_t(pair.ghost)];
+        const bool follows = link.to == pair.image && link.along == 1;
         if (follows && stuck) held = char(held | (all & ~bit));
         continue;
       }
@@ -57,15 +74,13 @@ void NodeConstraints<D>::hold_walls(const GridDecisions<D>& grid,
 }
 
 template <int D>
-std::int64_t NodeConstraints<D>::root_of(std::int64_t record, const Faces<D>& faces,
-                                         Signs& sign) const {
+std::int64_t NodeConstraints<D>::root_of(std::int64_t record, Signs& sign) const {
   sign.fill(1);
   while (link_[std::size_t(record)].to >= 0) {
     const Link& link = link_[std::size_t(record)];
-    const FaceType type = faces.type[std::size_t(link.axis)][std::size_t(link.side)];
-    for (int a = 0; a < D && type != FaceType::periodic; ++a) {
-      if (a == link.axis) sign[std::size_t(a)] = std::int8_t(-sign[std::size_t(a)]);
-      if (a != link.axis && type == FaceType::sticky) sign[std::size_t(a)] = 0;
+    for (int a = 0; a < D; ++a) {
+      const int factor = a == link.axis ? link.across : link.along;
+      sign[std::size_t(a)] = std::int8_t(factor * sign[std::size_t(a)]);
     }
     record = link.to;
   }
@@ -89,7 +104,7 @@ void NodeConstraints<D>::make_groups(const GridDecisions<D>& grid) {
     }
     if (special_[r] == 0) continue;
     Signs sign;
-    const std::int64_t root = root_of(std::int64_t(r), *grid.faces, sign);
+    const std::int64_t root = root_of(std::int64_t(r), sign);
     folds.push_back({root, std::int64_t(r), sign});
     inverse_[r].fill(-1);
   }

@@ -16,7 +16,7 @@ template <int D>
 struct GridDecisions {
   const Faces<D>* faces = nullptr;
   const FacePairs<D>* pairs = nullptr;
-  const std::array<std::vector<char>, D>* folded = nullptr;  ///< per pair: the ghost follows
+  const std::array<std::vector<char>, D>* folded = nullptr;  ///< a PairState per pair
   double keep = 1;  ///< share of a node's velocity that mass damping leaves
 };
 
@@ -62,7 +62,7 @@ class NodeConstraints {
   using Signs = std::array<std::int8_t, D>;
   void follow_folds(const GridDecisions<D>& grid);
   void hold_walls(const GridDecisions<D>& grid, const std::vector<double>& velocity);
-  std::int64_t root_of(std::int64_t record, const Faces<D>& faces, Signs& sign) const;
+  std::int64_t root_of(std::int64_t record, Signs& sign) const;
   void make_groups(const GridDecisions<D>& grid);
   void hold_by_colliders(const std::vector<double>& velocity,
                          const std::vector<Collider>& colliders, const double x[3], double touch,
@@ -70,7 +70,8 @@ class NodeConstraints {
 
   struct Link {
     std::int64_t to = -1;
-    std::int8_t axis = 0, side = 0;
+    std::int8_t axis = 0;
+    std::int8_t across = 1, along = 1;  ///< factors of the velocity it follows
   };
   std::vector<double> mass_;  ///< before folding
   std::vector<InverseMass<D>> inverse_;

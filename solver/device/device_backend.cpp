@@ -76,6 +76,7 @@ void DeviceBackend<D, T>::take_particles() {
   check_memory();
   for (std::size_t i = 0; i < bodies_.size(); ++i) particles_[i].take(bodies_[i].body->store());
   find_blocks(false);
+  find_loaded();
   stores_are_old_ = false;
 }
 
@@ -121,6 +122,43 @@ void DeviceBackend<D, T>::bin(const std::array<std::int32_t, D>& wrap) {
   bool changed = false;
   for (DeviceParticles<D, T>& particles : particles_) changed |= particles.bin(wrap);
   if (changed) find_blocks(config_.fused);
+  find_loaded();
+  stores_are_old_ = true;
+}
+
+template <int D, class T>
+void DeviceBackend<D, T>::find_loaded() {
+  for (std::size_t i = 0; i < chosen_.size(); ++i) chosen_[i].find(particles_[i]);
+}
+
+template <int D, class T>
+bool DeviceBackend<D, T>::load_only(const std::vector<std::int64_t>& ids) {
+  chosen_.clear();
+  auto first = ids.begin();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const auto end = i + 1 < bodies_.size()
+                         ? std::lower_bound(first, ids.end(), bodies_[i + 1].first_id)
+                         : ids.end();
+    chosen_.emplace_back(*device_, *kernels_, std::vector<std::int64_t>(first, end));
+    first = end;
+  }
+  find_loaded();
+  return true;
+}
+
+template <int D, class T>
+std::vector<LoadedParticle<D>>& DeviceBackend<D, T>::read_loaded() {
+  loaded_.clear();
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    chosen_[i].read(pass_data(i, {}), int(i), loaded_);
+  }
+  return loaded_;
+}
+
+template <int D, class T>
+void DeviceBackend<D, T>::write_loaded() {
+  const LoadedParticle<D>* from = loaded_.data();
+  for (std::size_t i = 0; i < chosen_.size(); ++i) from = chosen_[i].write(pass_data(i, {}), from);
   stores_are_old_ = true;
 }
 
@@ -293,6 +331,7 @@ template <int D, class T>
 std::int64_t DeviceBackend<D, T>::other_bytes() const {
   std::int64_t total = std::int64_t(read_back_.bytes());
   for (const DeviceParticles<D, T>& particles : particles_) total += particles.bytes();
+  for (const ChosenParticles<D, T>& chosen : chosen_) total += chosen.bytes();
   return total;
 }
 

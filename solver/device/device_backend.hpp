@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/device/chosen_particles.hpp"
 #include "solver/device/device_grid.hpp"
 #include "solver/device/device_particles.hpp"
 #include "solver/device/toolkit.hpp"
@@ -29,6 +30,9 @@ class DeviceBackend final : public Backend<D, T> {
   void take_particles() override;
   void give_particles() override;
   void take_aux(int first, int count) override;
+  bool load_only(const std::vector<std::int64_t>& ids) override;
+  std::vector<LoadedParticle<D>>& read_loaded() override;
+  void write_loaded() override;
   void set_layout(const AuxLayout& layout) override;
   std::int64_t count(std::size_t body) const override { return particles_[body].count(); }
   void bin(const std::array<std::int32_t, D>& wrap) override;
@@ -50,6 +54,7 @@ class DeviceBackend final : public Backend<D, T> {
   MemoryNeed memory_need() const;
   void check_memory() const;
   void find_blocks(bool carry);
+  void find_loaded();
   void p2g_fixed(const Parameters& parameters);
   PassData<D, T> pass_data(std::size_t body, const PassParameters<T>& parameters) const;
   /// Where the numbers that a step reads back lie: mass, reactions, summaries.
@@ -68,6 +73,8 @@ class DeviceBackend final : public Backend<D, T> {
   std::unique_ptr<DeviceKernels<D, T>> kernels_;
   std::vector<std::unique_ptr<DeviceLaw<D, T>>> laws_;
   std::vector<DeviceParticles<D, T>> particles_;
+  std::vector<ChosenParticles<D, T>> chosen_;  ///< one a body; none without load_only()
+  std::vector<LoadedParticle<D>> loaded_;
   DeviceGrid<D, T> grid_;
   DeviceArray<unsigned char> read_back_;  ///< summaries of the bodies, mass, reactions
   std::size_t colliders_ = 0;

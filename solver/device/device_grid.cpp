@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/device/device_grid.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace scree {
@@ -108,24 +109,34 @@ FoldLines DeviceGrid<D, T>::lines(int axis) const {
     lines.type[side] = config_.faces.type[std::size_t(axis)][side];
     lines.friction[side] = config_.faces.friction[std::size_t(axis)][side];
   }
+  lines.no_slip = config_.faces.no_slip;
   return lines;
 }
 
-/// Held walls last, as GridUpdate does.
+/// Whether a face of the axis folds in this stage.
+template <int D, class T>
+bool DeviceGrid<D, T>::folds(int axis, int stage) const {
+  if (faces_[std::size_t(axis)].empty()) return false;
+  const auto& types = config_.faces.type[std::size_t(axis)];
+  return std::any_of(types.begin(), types.end(), [&](FaceType type) {
+    return type != FaceType::open && fold_stage(type, config_.faces.no_slip) == stage;
+  });
+}
+
 template <int D, class T>
 void DeviceGrid<D, T>::fold(T* p, T* before) {
-  for (const bool held : {false, true}) {
+  for (int stage = 0; stage < fold_stages; ++stage) {
     for (int axis = 0; axis < D; ++axis) {
-      if (!faces_[std::size_t(axis)].empty()) kernels_.fold(lines(axis), held, p, before);
+      if (folds(axis, stage)) kernels_.fold(lines(axis), stage, p, before);
     }
   }
 }
 
 template <int D, class T>
 void DeviceGrid<D, T>::unfold(T* p, T* q) {
-  for (const bool held : {true, false}) {
+  for (int stage = fold_stages - 1; stage >= 0; --stage) {
     for (int axis = D - 1; axis >= 0; --axis) {
-      if (!faces_[std::size_t(axis)].empty()) kernels_.unfold(lines(axis), held, p, q);
+      if (folds(axis, stage)) kernels_.unfold(lines(axis), stage, p, q);
     }
   }
 }

@@ -49,6 +49,7 @@ class DeviceGrid {
  private:
   NodePass<T> node_pass(const GridForces& forces) const;
   FoldLines lines(int axis) const;
+  bool folds(int axis, int stage) const;
   void fold(T* p, T* before);
   void unfold(T* p, T* q);
   void carry_over(const Topology<D>& before);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/device/device_particles.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace scree {
@@ -213,6 +214,12 @@ void DeviceParticles<D, T>::find_grid_blocks(const Topology<D>& topology) {
   std::vector<std::int32_t> found;
   for (const std::uint64_t key : keys_) found.push_back(topology.find(key));
   grid_block_.upload(found);
+}
+
+template <int D, class T>
+std::uint64_t DeviceParticles<D, T>::key_of(std::int32_t lane) const {
+  const auto after = std::upper_bound(batch_begin_.begin(), batch_begin_.end(), lane / width);
+  return keys_[std::size_t(after - batch_begin_.begin()) - 1];
 }
 
 template <int D, class T>

@@ -39,6 +39,8 @@ class DeviceParticles {
   PassData<D, T> data() const;
   int blocks() const { return int(keys_.size()); }
   const std::vector<std::uint64_t>& keys() const { return keys_; }
+  /// Of the block that a lane lies in.
+  std::uint64_t key_of(std::int32_t lane) const;
   std::int64_t count() const { return count_; }
   std::int64_t bytes() const;
 

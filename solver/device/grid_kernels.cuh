@@ -69,13 +69,13 @@ __global__ void __launch_bounds__(block_threads)
 
 /// A thread a line.
 template <int D, class T>
-__global__ void fold(const __grid_constant__ FoldLines lines, bool held, T* p, T* before) {
+__global__ void fold(const __grid_constant__ FoldLines lines, int stage, T* p, T* before) {
   const std::int64_t line = element();
   if (line >= lines.lines) return;
   for (int i = lines.line_begin[line]; i < lines.line_begin[line + 1]; ++i) {
     const int side = lines.side[i];
     const FaceType type = lines.type[side];
-    if ((type == FaceType::sticky) != held) continue;
+    if (fold_stage(type, lines.no_slip) != stage) continue;
     const T friction = T(lines.friction[side]);
     const std::int64_t image = lines.image[i] * node_values;
     const std::int64_t ghost = lines.ghost[i] * node_values;
@@ -84,8 +84,8 @@ __global__ void fold(const __grid_constant__ FoldLines lines, bool held, T* p, T
       hold_wall_node<D>(type, friction, lines.axis, side, p + image, image_before);
     } else {
       T* ghost_before = before == nullptr ? nullptr : before + ghost;
-      lines.folded[i] = fold_ghost<D>(type, friction, lines.axis, side, p + image, p + ghost,
-                                      image_before, ghost_before);
+      lines.folded[i] = fold_ghost<D>(type, lines.no_slip, friction, lines.axis, side, p + image,
+                                      p + ghost, image_before, ghost_before);
     }
   }
 }
@@ -101,17 +101,17 @@ __global__ void fold_periodic(const __grid_constant__ FoldLines lines, T* p) {
 }
 
 template <int D, class T>
-__global__ void unfold(const __grid_constant__ FoldLines lines, bool held, T* p, T* q) {
+__global__ void unfold(const __grid_constant__ FoldLines lines, int stage, T* p, T* q) {
   const std::int64_t line = element();
   if (line >= lines.lines) return;
   for (int i = lines.line_begin[line]; i < lines.line_begin[line + 1]; ++i) {
     const FaceType type = lines.type[lines.side[i]];
-    if ((type == FaceType::sticky) != held) continue;
+    if (fold_stage(type, lines.no_slip) != stage) continue;
     const std::int64_t image = lines.image[i] * node_values;
     const std::int64_t ghost = lines.ghost[i] * node_values;
-    if (lines.folded[i] == 0 || ghost == image) continue;
-    unfold_ghost<D>(type, lines.axis, p + image, p + ghost);
-    if (q != nullptr) unfold_ghost<D>(type, lines.axis, q + image, q + ghost);
+    if (lines.folded[i] != pair_follows || ghost == image) continue;
+    unfold_ghost<D>(type, lines.no_slip, lines.axis, p + image, p + ghost);
+    if (q != nullptr) unfold_ghost<D>(type, lines.no_slip, lines.axis, q + image, q + ghost);
   }
 }
 

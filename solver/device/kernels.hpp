@@ -45,10 +45,11 @@ struct FoldLines {
   const std::int64_t* ghost = nullptr;  ///< record indices
   const std::int64_t* image = nullptr;
   const std::int32_t* side = nullptr;
-  std::int8_t* folded = nullptr;  ///< per pair: the ghost follows its image
+  std::int8_t* folded = nullptr;  ///< a PairState per pair
   int axis = 0;
   FaceType type[2] = {FaceType::open, FaceType::open};
   double friction[2] = {0, 0};
+  NoSlip no_slip = NoSlip::node;
 };
 
 /// Nodes within colliders. Contacts of node n are begin[n] .. begin[n + 1] - 1, in the colliders'
@@ -90,6 +91,16 @@ struct ParticlePools {
   std::int32_t aux_fields = 0;
 };
 
+/// Chosen particles of a body, and a row of values for each: position, velocity, increment and
+/// external force.
+template <class T>
+struct ChosenRows {
+  const std::int64_t* ids = nullptr;  ///< ascending
+  std::int32_t* lane = nullptr;       ///< of each; -1: gone
+  T* rows = nullptr;
+  std::int32_t count = 0;
+};
+
 /// What is launched on a device, on plain pointers to its memory. `blocks`: those of a body.
 template <int D, class T>
 class DeviceKernels {
@@ -108,10 +119,10 @@ class DeviceKernels {
 
   /// Adds dt g (and the impulses of q) to the momenta; *mass: sum over all nodes / lattices.
   virtual void add_forces(const NodePass<T>&, int lattices, double* block_mass, double* mass) = 0;
-  /// held: sticky faces, else all others.
-  virtual void fold(const FoldLines&, bool held, T* p, T* before) = 0;
+  /// Faces of one stage, see fold_stage.
+  virtual void fold(const FoldLines&, int stage, T* p, T* before) = 0;
   virtual void fold_periodic(const FoldLines&, T* p) = 0;
-  virtual void unfold(const FoldLines&, bool held, T* p, T* q) = 0;
+  virtual void unfold(const FoldLines&, int stage, T* p, T* q) = 0;
   virtual void divide(const NodePass<T>&) = 0;
   /// q <- p - q.
   virtual void subtract(const NodePass<T>&) = 0;
@@ -133,6 +144,13 @@ class DeviceKernels {
   virtual void move(const ParticlePools<T>& from, const ParticlePools<T>& to, int blocks,
                     const std::int32_t* order, const std::int32_t* first,
                     const std::int32_t* counts, const std::int32_t* batch_begin) = 0;
+
+  /// The lanes of chosen particles, where their particle is there; others are left alone.
+  virtual void find_chosen(const PassData<D, T>&, int blocks, const ChosenRows<T>&) = 0;
+  /// Fills the rows of those that are there.
+  virtual void read_chosen(const PassData<D, T>&, const ChosenRows<T>&) = 0;
+  /// Takes the external forces of those that are there, D a row.
+  virtual void write_chosen(const PassData<D, T>&, const ChosenRows<T>&) = 0;
 };
 
 /// The passes with code of one law.

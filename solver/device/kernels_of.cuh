@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "solver/device/chosen_kernels.cuh"
 #include "solver/device/grid_kernels.cuh"
 #include "solver/device/particle_kernels.cuh"
 #include "solver/device/split.cuh"
@@ -57,16 +58,16 @@ class KernelsOf final : public DeviceKernels<D, T> {
     launch("sum_up", kernels::sum_up<double>, 1, block_threads, block_mass, pass.blocks,
            1.0 / lattices, mass);
   }
-  void fold(const FoldLines& lines, bool held, T* p, T* before) override {
-    launch("fold", kernels::fold<D, T>, blocks_for(lines.lines), block_threads, lines, held, p,
+  void fold(const FoldLines& lines, int stage, T* p, T* before) override {
+    launch("fold", kernels::fold<D, T>, blocks_for(lines.lines), block_threads, lines, stage, p,
            before);
   }
   void fold_periodic(const FoldLines& lines, T* p) override {
     launch("fold_periodic", kernels::fold_periodic<T>, blocks_for(lines.lines), block_threads,
            lines, p);
   }
-  void unfold(const FoldLines& lines, bool held, T* p, T* q) override {
-    launch("unfold", kernels::unfold<D, T>, blocks_for(lines.lines), block_threads, lines, held, p,
+  void unfold(const FoldLines& lines, int stage, T* p, T* q) override {
+    launch("unfold", kernels::unfold<D, T>, blocks_for(lines.lines), block_threads, lines, stage, p,
            q);
   }
   void divide(const NodePass<T>& pass) override {
@@ -107,6 +108,17 @@ class KernelsOf final : public DeviceKernels<D, T> {
             const std::int32_t* batch_begin) override {
     launch("move", kernels::move<T>, blocks, block_threads, from, to, order, first, counts,
            batch_begin);
+  }
+  void find_chosen(const PassData<D, T>& data, int blocks, const ChosenRows<T>& chosen) override {
+    launch("find_chosen", kernels::find_chosen<D, T>, blocks, block_threads, data, chosen);
+  }
+  void read_chosen(const PassData<D, T>& data, const ChosenRows<T>& chosen) override {
+    launch("read_chosen", kernels::read_chosen<D, T>, blocks_for(chosen.count), block_threads, data,
+           chosen);
+  }
+  void write_chosen(const PassData<D, T>& data, const ChosenRows<T>& chosen) override {
+    launch("write_chosen", kernels::write_chosen<D, T>, blocks_for(chosen.count), block_threads,
+           data, chosen);
   }
 
  private:

@@ -30,6 +30,7 @@ class EmulatedDevice final : public Device {
     std::memcpy(to, from, bytes);
   }
   void download(void* to, const void* from, std::size_t bytes) override {
+    emulation::note_download(bytes);
     std::memcpy(to, from, bytes);
   }
   void copy(void* to, const void* from, std::size_t bytes) override {

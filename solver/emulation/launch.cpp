@@ -23,6 +23,7 @@ struct ThreadTeam {
 struct Launcher {
   Order order = Order::forward;
   std::int64_t launches = 0;
+  std::int64_t downloaded = 0;
   std::size_t free_memory = std::size_t(1) << 34;
   std::unique_ptr<FiberTeam> team;
 };
@@ -70,6 +71,8 @@ void set_free_memory(std::size_t bytes) { launcher.free_memory = bytes; }
 
 std::size_t free_memory() { return launcher.free_memory; }
 
+std::int64_t downloaded() { return launcher.downloaded; }
+void note_download(std::size_t bytes) { launcher.downloaded += std::int64_t(bytes); }
 std::int64_t launches() { return launcher.launches; }
 
 void launch(int blocks, int threads, const std::function<void()>& body) {

@@ -33,6 +33,10 @@ std::size_t free_memory();
 /// Launches of this thread so far.
 std::int64_t launches();
 
+/// Bytes that emulated devices have given to this thread so far; note_download() counts them.
+std::int64_t downloaded();
+void note_download(std::size_t bytes);
+
 /// Numbers of the CUDA thread that runs.
 struct ThreadPlace {
   int thread = 0;

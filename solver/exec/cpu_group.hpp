@@ -10,11 +10,13 @@
 #include "solver/exec/line_transfer.hpp"
 #include "solver/exec/row_arena.hpp"
 #include "solver/exec/row_transfer.hpp"
+#include "solver/step/batch_pair.hpp"
 #include "solver/step/pass_data.hpp"
 
 namespace scree {
 
-/// One batch of a block: pointers to its vectors and the number of lanes that hold particles.
+/// One batch of a block, as many particles as a register has lanes: pointers to the first of them
+/// in each field and the number of lanes that hold particles.
 template <class T>
 struct CpuBatch {
   T* particle;
@@ -24,7 +26,8 @@ struct CpuBatch {
 };
 
 /// The CPU side of the backend seam: one thread works on one block at a time, a vector register
-/// holds one quantity of 8 (double) or 16 (float) particles, the arena lies in the thread's L1/L2.
+/// holds one quantity of a batch of particles, the arena lies in the thread's L1/L2. The store's
+/// vectors of 64 bytes are one batch or several, as registers are.
 ///
 /// Bodies see only these primitives (architecture page); the CUDA group offers the same ones with
 /// one particle a thread. Grid values are gathered and scattered as quads {vector, mass}: all
@@ -35,9 +38,10 @@ template <int D, class T, class Kernel>
 class CpuGroup {
  public:
   using Real = T;
-  using V = Lanes<T>;
+  using V = RegisterLanes<T>;
   using Int = IntOf<V>;
   using Batch = CpuBatch<T>;
+  static constexpr int max_set = 2;
   using Shape = ArenaShape<Kernel, D>;
   static constexpr int dimension = D;
   static constexpr int width = lanes_of<V>;
@@ -92,23 +96,43 @@ class CpuGroup {
 
   template <class F>
   void each_batch(F&& f) {
-    const int first = data_.batch_begin[block_];
-    const int last = data_.batch_begin[block_ + 1];
-    const int lines = (arena_lines<Kernel, D> - 1) / std::max(last - first, 1) + 1;
-    for (int i = first; i < last; ++i) {
-      if (i + 1 < last) prefetch(data_.batch_list[i + 1]);
-      line_ = (i - first) * lines;
-      share_ = lines;
-      f(batch(i, std::min(width, data_.counts[block_] - (i - first) * width)));
+    const int count = begin_batches();
+    for (int n = 0; n < count; ++n) {
+      if (n % pieces == 0 && n + pieces < count) prefetch(n / pieces + 1);
+      f(batch(n));
     }
   }
 
-  V load(const Batch& b, int field) const { return scree::load<V>(b.particle + field * width); }
-  void store(const Batch& b, int field, const V& x) { scree::store(b.particle + field * width, x); }
+  /// The same for `size` batches at a time, one or two.
+  template <int size, class F>
+  void each_set(F&& f) {
+    if constexpr (size == 1) {
+      each_batch([&](const Batch& b) __attribute__((always_inline)) {
+        f(BatchSet<Batch, 1>{{b}, 1});
+      });
+    } else {
+      const int count = begin_batches();
+      for (int n = 0; n < count; n += 2) {
+        for (int i = n + 2; i < count && i < n + 4; i += pieces) prefetch(i / pieces);
+        BatchSet<Batch, 2> set{{batch(n), batch(n)}, 1};
+        set.batch[1].active = 0;
+        if (n + 1 < count) {
+          set.batch[1] = batch(n + 1);
+          set.parts = 2;
+        }
+        f(set);
+      }
+    }
+  }
+
+  V load(const Batch& b, int field) const { return scree::load<V>(b.particle + field * stored); }
+  void store(const Batch& b, int field, const V& x) {
+    scree::store(b.particle + field * stored, x);
+  }
   /// x, what the store holds in that field: a group short of registers reads it anew.
   V load_again(const Batch&, int, const V& x) const { return x; }
-  V load_aux(const Batch& b, int field) const { return scree::load<V>(b.aux + field * width); }
-  void store_aux(const Batch& b, int field, const V& x) { scree::store(b.aux + field * width, x); }
+  V load_aux(const Batch& b, int field) const { return scree::load<V>(b.aux + field * stored); }
+  void store_aux(const Batch& b, int field, const V& x) { scree::store(b.aux + field * stored, x); }
 
   MaskOf<V> active(const Batch& b) const { return first_lanes<V>(b.active); }
   T block_origin(int axis) const { return T(block_cells) * T(data_.coords[block_ * D + axis]); }
@@ -211,6 +235,8 @@ class CpuGroup {
   }
 
  protected:
+  static constexpr int stored = lanes_of<Lanes<T>>;  ///< numbers of a vector in the store
+  static constexpr int pieces = stored / width;      ///< batches in it
   /// Numbers from a node's row to the next one's on the last axis but one, and on the first (3D).
   static constexpr int line = Shape::extent * Arena::stride;
   static constexpr int plane = Shape::extent * line;
@@ -242,9 +268,10 @@ class CpuGroup {
   /// This batch's share of the grid values that are needed when the block is done and at the next
   /// one's begin. Amid a batch: a processor follows about a dozen misses at a time, and those of
   /// the next batch have just been asked for.
-  [[gnu::always_inline]] void prefetch_share() const {
+  [[gnu::always_inline]] void prefetch_share() {
     if (sums_) prefetch_nodes<true>(data_.write[0], nodes_of_, line_, line_ + share_);
     if (expects_) prefetch_nodes<false>(data_.read[0], next_nodes_of_, line_, line_ + share_);
+    line_ += share_;
   }
 
   /// Fetches the grid values of some lines of the arena into the second cache. (Always inlined: GCC
@@ -279,15 +306,33 @@ class CpuGroup {
     return grid + nodes_of_[place.neighbour] + place.node * node_values;
   }
 
-  Batch batch(int i, int active) const {
-    const std::size_t b = std::size_t(data_.batch_list[i]);
-    return {data_.particles + b * data_.fields * width, data_.aux + b * data_.layout.total * width,
-            data_.ids + b * width, active};
+  /// Number of batches with particles in the block.
+  int batches() const { return (data_.counts[block_] + width - 1) / width; }
+
+  /// The same; shares what is to be prefetched among them.
+  int begin_batches() {
+    const int count = batches();
+    share_ = (arena_lines<Kernel, D> - 1) / std::max(count, 1) + 1;
+    line_ = 0;
+    return count;
   }
 
-  void prefetch(std::int32_t b) const {
-    const T* p = data_.particles + std::size_t(b) * data_.fields * width;
-    for (int f = 0; f < data_.fields; ++f) __builtin_prefetch(p + f * width, 1);
+  Batch batch(int n) const {
+    const std::size_t b = stored_batch(n / pieces);
+    const int lane = n % pieces * width;
+    return {data_.particles + b * data_.fields * stored + lane,
+            data_.aux + b * data_.layout.total * stored + lane, data_.ids + b * stored + lane,
+            std::min(width, data_.counts[block_] - n * width)};
+  }
+
+  /// Place in the store of the block's i-th vectors.
+  std::size_t stored_batch(int i) const {
+    return std::size_t(data_.batch_list[data_.batch_begin[block_] + i]);
+  }
+
+  void prefetch(int i) const {
+    const T* p = data_.particles + stored_batch(i) * data_.fields * stored;
+    for (int f = 0; f < data_.fields; ++f) __builtin_prefetch(p + f * stored, 1);
   }
 
   const PassData<D, T>& data_;
@@ -297,7 +342,7 @@ class CpuGroup {
   std::size_t next_nodes_of_[neighbour_count<D>];
   bool expects_ = false;
   bool sums_ = false;
-  int line_ = 0;   ///< first line of the arena that the present batch prefetches
+  int line_ = 0;   ///< first line of the arena that the next scatter prefetches
   int share_ = 0;  ///< lines a batch
   BlockResult<T> result_;
   V speed_;

@@ -10,6 +10,7 @@
 #include "solver/exec/arena.hpp"
 #include "solver/exec/cuda_leaves.cuh"
 #include "solver/exec/cuda_sums.cuh"
+#include "solver/step/batch_pair.hpp"
 #include "solver/step/pass_data.hpp"
 #include "solver/transfer/stencil.hpp"
 
@@ -48,6 +49,7 @@ class CudaGroup : private Summation<D, T> {
   using V = T;
   using Int = IntOf<V>;
   using Batch = CudaBatch;
+  static constexpr int max_set = 1;
   using Shape = ArenaShape<Kernel, D>;
   using Arena = CudaArena<D, Value, Kernel, Reads, Sums>;
   static constexpr int dimension = D;
@@ -102,6 +104,12 @@ class CudaGroup : private Summation<D, T> {
       f(Batch{lane});
       lane += device::threads();
     }
+  }
+
+  template <int size, class F>
+  SCREE_FN void each_set(F&& f) {
+    static_assert(size == max_set);
+    each_batch([&](const Batch& b) { f(BatchSet<Batch, 1>{{b}, 1}); });
   }
 
   SCREE_FN V load(const Batch& b, int field) const {

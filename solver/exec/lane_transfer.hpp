@@ -15,7 +15,7 @@ namespace scree {
 template <int D, class T, int stride, int plane_step, int line_step, int node_step>
 class LaneTransfer {
  public:
-  using V = Lanes<T>;
+  using V = RegisterLanes<T>;
   using Int = IntOf<V>;
   static constexpr int width = lanes_of<V>;
 

@@ -17,7 +17,7 @@ namespace scree {
 template <int D, class T, int stride, int plane, int line>
 class LineTransfer {
  public:
-  using V = Lanes<T>;
+  using V = RegisterLanes<T>;
   using Points = Stencil<V, D, 1, 3>;
   static constexpr int width = lanes_of<V>;
 
@@ -91,14 +91,12 @@ class LineTransfer {
     alignas(64) Index base[width];
 
     explicit Weights(const Points& p) {
-      alignas(64) T lanes[4 * width];
       scree::store(base, p.base[0] << shift);
       for (int i = 0; i < 3; ++i) {
         for (int a = 0; a < D - 1; ++a) scree::store(&other[a][i][0], p.weight[0][a][i]);
-        scree::store(lanes + i * width, p.weight[0][D - 1][i]);
       }
-      scree::store(lanes + 3 * width, broadcast<V>(T(0)));
-      Transpose::to_quads(lanes, last);
+      const auto& w = p.weight[0][D - 1];
+      Transpose::to_quads(w[0], w[1], w[2], broadcast<V>(T(0)), last);
     }
   };
 
@@ -145,22 +143,19 @@ class LineTransfer {
   /// outside `live` add nothing.
   static inline void particle_quads(const Points& p, const V (&q)[D], const V& mass,
                                     const V (&affine)[D][D], const MaskOf<V>& live, T* quads) {
-    alignas(64) T lanes[(D + 1) * 4 * width];
     const V none = broadcast<V>(T(0));
-    for (int i = 0; i <= D; ++i) {
-      scree::store(lanes + (4 * i + mass_slot) * width, i == 0 ? select(live, mass, none) : none);
-      if constexpr (D == 2) scree::store(lanes + (4 * i + 2) * width, none);
-    }
-    for (int c = 0; c < D; ++c) {
-      V lowest = q[c];
+    V slope[D][3];
+    V lowest[3];
+    for (int c = 0; c < 3; ++c) {
+      lowest[c] = c < D ? select(live, q[c % D], none) : none;
       for (int a = 0; a < D; ++a) {
-        lowest = mul_add(affine[c][a], p.offset[0][a], lowest);
-        scree::store(lanes + (4 * (a + 1) + c) * width, select(live, affine[c][a], none));
+        slope[a][c] = c < D ? select(live, affine[c % D][a], none) : none;
+        if (c < D) lowest[c] = mul_add(slope[a][c], p.offset[0][a], lowest[c]);
       }
-      scree::store(lanes + c * width, select(live, lowest, none));
     }
-    for (int i = 0; i <= D; ++i) {
-      Transpose::to_quads(lanes + i * 4 * width, quads + i * 4 * width);
+    Transpose::to_quads(lowest[0], lowest[1], lowest[2], select(live, mass, none), quads);
+    for (int a = 0; a < D; ++a) {
+      Transpose::to_quads(slope[a][0], slope[a][1], slope[a][2], none, quads + (a + 1) * 4 * width);
     }
   }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 #include "solver/base/register.hpp"
 
@@ -63,6 +65,27 @@ struct NodeRow {
     NodeRow r;
     SCREE_UNROLL for (int i = 0; i < parts; ++i) r.part[i] = x - Native{};
     return r;
+  }
+
+  static SCREE_FN void store_part(T* p, const Native& x) { at(p) = x; }
+
+  /// Each number of the j-th of the quads that fill the register at p, four times.
+  template <int j>
+  static SCREE_FN NodeRow spread(const T* p) {
+    if constexpr (part_bytes < 64) {
+      return spread(p + 4 * j);
+    } else {
+      constexpr int f = 4 * j;
+      const Native q = at(p);
+      if constexpr (part_quads == 4) {
+        return {{__builtin_shufflevector(q, q, f, f, f, f, f + 1, f + 1, f + 1, f + 1, f + 2, f + 2,
+                                         f + 2, f + 2, f + 3, f + 3, f + 3, f + 3)}};
+      } else {
+        return {{__builtin_shufflevector(q, q, f, f, f, f, f + 1, f + 1, f + 1, f + 1),
+                 __builtin_shufflevector(q, q, f + 2, f + 2, f + 2, f + 2, f + 3, f + 3, f + 3,
+                                         f + 3)}};
+      }
+    }
   }
 
   /// Each of 4 numbers, aligned to their size together, four times.
@@ -169,20 +192,74 @@ SCREE_FN NodeRow<T> quads(const NodeRow<T>& x, const NodeRow<T>& y) {
   }
 }
 
-/// The sum of the four quads, four times.
-template <class T>
-SCREE_FN NodeRow<T> total(const NodeRow<T>& x) {
-  if constexpr (NodeRow<T>::parts == 4) {
-    const auto sum = (x.part[0] + x.part[2]) + (x.part[1] + x.part[3]);
-    return {{sum, sum, sum, sum}};
-  } else if constexpr (NodeRow<T>::parts == 2) {
-    const auto pairs = x.part[0] + x.part[1];
-    const auto sum = pairs + __builtin_shufflevector(pairs, pairs, 4, 5, 6, 7, 0, 1, 2, 3);
-    return {{sum, sum}};
+namespace detail {
+
+/// Half of the quads of x and of y: the even ones or the odd ones.
+template <class T, int odd>
+SCREE_FN typename NodeRow<T>::Native half_quads(const typename NodeRow<T>::Native& x,
+                                                const typename NodeRow<T>::Native& y) {
+  constexpr int f = 4 * odd;
+  if constexpr (NodeRow<T>::part_quads == 4) {
+    return __builtin_shufflevector(x, y, f, f + 1, f + 2, f + 3, f + 8, f + 9, f + 10, f + 11,
+                                   f + 16, f + 17, f + 18, f + 19, f + 24, f + 25, f + 26, f + 27);
+  } else if constexpr (NodeRow<T>::part_quads == 2) {
+    return __builtin_shufflevector(x, y, f, f + 1, f + 2, f + 3, f + 8, f + 9, f + 10, f + 11);
   } else {
-    const NodeRow<T> pairs = x + quads<2, 3, 0, 1>(x, x);
-    return pairs + quads<1, 0, 3, 2>(pairs, pairs);
+    return x;
   }
+}
+
+}  // namespace detail
+
+/// As many rows as a part has quads: node[n] holds quad n of each row, one behind the other.
+template <class T>
+SCREE_FN void node_quads(const NodeRow<T> (&rows)[NodeRow<T>::part_quads],
+                         typename NodeRow<T>::Native (&node)[4]) {
+  constexpr auto even = detail::half_quads<T, 0>;
+  constexpr auto odd = detail::half_quads<T, 1>;
+  if constexpr (NodeRow<T>::part_quads == 1) {
+    SCREE_UNROLL for (int n = 0; n < 4; ++n) node[n] = rows[0].part[n];
+  } else if constexpr (NodeRow<T>::part_quads == 2) {
+    SCREE_UNROLL for (int i = 0; i < 2; ++i) {
+      node[2 * i] = even(rows[0].part[i], rows[1].part[i]);
+      node[2 * i + 1] = odd(rows[0].part[i], rows[1].part[i]);
+    }
+  } else {
+    const auto a = even(rows[0].part[0], rows[1].part[0]);
+    const auto b = odd(rows[0].part[0], rows[1].part[0]);
+    const auto c = even(rows[2].part[0], rows[3].part[0]);
+    const auto d = odd(rows[2].part[0], rows[3].part[0]);
+    node[0] = even(a, c);
+    node[1] = even(b, d);
+    node[2] = odd(a, c);
+    node[3] = odd(b, d);
+  }
+}
+
+/// As many rows as a part has quads: the sum of the four quads of each row, one behind the other.
+template <class T>
+SCREE_FN typename NodeRow<T>::Native totals(const NodeRow<T> (&rows)[NodeRow<T>::part_quads]) {
+  const auto folded = [](const auto& x, const auto& y) __attribute__((always_inline)) {
+    return detail::half_quads<T, 0>(x, y) + detail::half_quads<T, 1>(x, y);
+  };
+  if constexpr (NodeRow<T>::part_quads == 1) {
+    const auto& p = rows[0].part;
+    return (p[0] + p[2]) + (p[1] + p[3]);
+  } else if constexpr (NodeRow<T>::part_quads == 2) {
+    return folded(rows[0].part[0] + rows[0].part[1], rows[1].part[0] + rows[1].part[1]);
+  } else {
+    return folded(folded(rows[0].part[0], rows[1].part[0]),
+                  folded(rows[2].part[0], rows[3].part[0]));
+  }
+}
+
+/// f(0), ..., f(n - 1), numbers as types.
+template <int n, class F>
+SCREE_FN void each_index(F&& f) {
+  [&]<int... j>(std::integer_sequence<int, j...>) __attribute__((always_inline)) {
+    (f(std::integral_constant<int, j>{}), ...);
+  }
+  (std::make_integer_sequence<int, n>{});
 }
 
 /// A row whose quads are a, b, c, d four times each.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <bit>
+
 #include "solver/base/pack.hpp"
 #include "solver/exec/node_row.hpp"
 #include "solver/exec/transpose.hpp"
@@ -12,88 +14,84 @@ namespace scree {
 /// lattices, two nodes an axis, the second lattice half a cell to either side of the first.
 ///
 /// Weights and particle quantities are worked out with lanes = particles and turned by register
-/// transposes into one record a particle; each particle then multiplies whole rows, so there is
-/// neither a gather nor an overlapping store.
+/// transposes into quads of one particle each; each particle then multiplies whole rows, so there
+/// is neither a gather nor an overlapping store. Particles whose quads share a register are treated
+/// together, which saves shuffles.
 ///
 /// stride, plane: numbers from a row to the next and from a node's row to the next one's on the
 /// first axis (3D); line_step as in the arena.
 template <int D, class T, int stride, int plane, int line_step>
 class RowTransfer {
  public:
-  using V = Lanes<T>;
+  using V = RegisterLanes<T>;
   using Points = Stencil<V, D, 2, 2>;
   static constexpr int width = lanes_of<V>;
 
   /// velocity = sum over both lattices of w v; affine = sum of w v (x_i - x_p)^T.
-  static inline void gather(const T* rows, const Points& p, V (&velocity)[D], V (&affine)[D][D]) {
-    alignas(64) T weights[Weights::count * 4 * width];
-    alignas(64) T records[16 * width];
-    alignas(64) T lanes[16 * width];
+  static SCREE_FN void gather(const T* rows, const Points& p, V (&velocity)[D], V (&affine)[D][D]) {
+    alignas(64) T weights[weight_rows * quads];
+    alignas(64) T sums[(D + 2) * quads];
     alignas(64) Index base[2][width];
-    alignas(64) Index side[width];
     row_weights(p, weights);
-    SCREE_UNROLL for (int k = 0; k < 2; ++k) scree::store(base[k], p.base[k] << shift);
-    scree::store(side, side_code(p));
-    for (int l = 0; l < width; ++l) {
-      const Weights w{weights + quad_places.value[l]};
-      const T* minus = rows + base[0][l];
-      const T* plus = rows + base[1][l];
-      Row moments;
-      Row all_plus;
-      if constexpr (D == 2) {
-        const Row second = w.of(1) * cell(plus);
-        moments = row_moments(multiply_add(w.of(0), cell(minus), second));
-        all_plus = total(second);
-      } else {
-        const Row far_minus = w.of(1) * cell(minus + plane);
-        const Row far_plus = w.of(3) * cell(plus + plane);
-        const Row first = multiply_add(w.of(0), cell(minus), far_minus);
-        const Row second = multiply_add(w.of(2), cell(plus), far_plus);
-        moments = plane_moments(first + second, far_minus + far_plus);
-        all_plus = total(second);
-      }
-      const Row shift = Row::load(half_cells.value[side[l]]);
-      multiply_add(shift, all_plus, moments).store(records + 16 * l);
+    store_places(p, base);
+    for (int r = 0; r < width / together; ++r) {
+      Row all[together];   // both lattices
+      Row far[together];   // of these, one node up on the first axis (3D)
+      Row plus[together];  // of these, lattice 1
+      each_index<together>([&](auto j) __attribute__((always_inline)) {
+        const int l = Transpose::quad_lane(r, j);
+        const Weights<j> w{weights + r * Row::lanes};
+        const T* minus_row = row_at(rows, base[0][l]);
+        const T* plus_row = row_at(rows, base[1][l]);
+        if constexpr (D == 2) {
+          plus[j] = w.of(1) * cell(plus_row);
+          all[j] = multiply_add(w.of(0), cell(minus_row), plus[j]);
+        } else {
+          const Row far_minus = w.of(1) * cell(minus_row + plane);
+          const Row far_plus = w.of(3) * cell(plus_row + plane);
+          far[j] = far_minus + far_plus;
+          plus[j] = multiply_add(w.of(2), cell(plus_row), far_plus);
+          all[j] = multiply_add(w.of(0), cell(minus_row), far_minus) + plus[j];
+        }
+      });
+      store_sums(all, far, plus, sums + r * Row::lanes);
     }
-    LaneTranspose<T>::to_lanes(records, lanes);
-    for (int c = 0; c < D; ++c) velocity[c] = scree::load<V>(lanes + c * width);
-    for (int a = 0; a < D; ++a) {
-      for (int c = 0; c < D; ++c) {
-        affine[c][a] =
-            mul_add(p.offset[0][a], velocity[c], scree::load<V>(lanes + (4 * (a + 1) + c) * width));
-      }
-    }
+    turn_moments(p, sums, velocity, affine);
   }
 
   /// Adds w (q + A (x_i - x_p)) and mass w m for the lanes of `mask` (1 or 0) to the nodes of both
   /// lattices.
-  static inline void scatter(T* rows, const Points& p, const V (&q)[D], const V& mass,
-                             const V (&affine)[D][D], const V& mask) {
-    alignas(64) T weights[Weights::count * 4 * width];
-    alignas(64) T records[(D + 2) * 4 * width];
+  static SCREE_FN void scatter(T* rows, const Points& p, const V (&q)[D], const V& mass,
+                               const V (&affine)[D][D], const V& mask) {
+    alignas(64) T weights[weight_rows * quads];
+    alignas(64) T records[(D + 2) * quads];
     alignas(64) Index base[2][width];
     row_weights(p, weights);
-    SCREE_UNROLL for (int k = 0; k < 2; ++k) scree::store(base[k], p.base[k] << shift);
+    store_places(p, base);
     particle_records(p, q, mass, affine, mask > T(0), records);
     const Row high = Row::load(upper_nodes.value);
     const Row odd = Row::load(odd_nodes.value);
-    for (int l = 0; l < width; ++l) {
-      const Weights w{weights + quad_places.value[l]};
-      const T* record = records + quad_places.value[l];
-      const auto quad = [&](int i) { return Row::repeat(record + i * 4 * width); };
-      // Slopes along the two axes of a row, the same for both lattices.
-      const Row slope = multiply_add(quad(D), high, quad(D + 1) * odd);
-      const Row minus = quad(0) + slope;
-      const Row plus = quad(1) + slope;
-      add(rows + base[0][l], w.of(0), minus);
-      if constexpr (D == 2) {
-        add(rows + base[1][l], w.of(1), plus);
-      } else {
-        const Row step = quad(2);
-        add(rows + base[0][l] + plane, w.of(1), minus + step);
-        add(rows + base[1][l], w.of(2), plus);
-        add(rows + base[1][l] + plane, w.of(3), plus + step);
-      }
+    for (int r = 0; r < width / together; ++r) {
+      each_index<together>([&](auto j) __attribute__((always_inline)) {
+        const int l = Transpose::quad_lane(r, j);
+        const Weights<j> w{weights + r * Row::lanes};
+        const auto quad = [&](int i) __attribute__((always_inline)) {
+          return Row::repeat(records + i * quads + r * Row::lanes + 4 * j);
+        };
+        // Slopes along the two axes of a row, the same for both lattices.
+        const Row slope = multiply_add(quad(D), high, quad(D + 1) * odd);
+        const Row minus = quad(0) + slope;
+        const Row plus = quad(1) + slope;
+        add(row_at(rows, base[0][l]), w.of(0), minus);
+        if constexpr (D == 2) {
+          add(row_at(rows, base[1][l]), w.of(1), plus);
+        } else {
+          const Row step = quad(2);
+          add(row_at(rows, base[0][l]) + plane, w.of(1), minus + step);
+          add(row_at(rows, base[1][l]), w.of(2), plus);
+          add(row_at(rows, base[1][l]) + plane, w.of(3), plus + step);
+        }
+      });
     }
   }
 
@@ -101,136 +99,112 @@ class RowTransfer {
   using Row = NodeRow<T>;
   using Index = Scalar<IntOf<V>>;
   using Transpose = LaneTranspose<T>;
-  static constexpr int shift = stride == 4 ? 2 : stride == 8 ? 3 : 4;
-  static_assert(stride == 1 << shift);
+  /// Places of rows in bytes: as they are used in addresses, without a shift for each.
+  static constexpr int shift = std::countr_zero(unsigned(stride * sizeof(T)));
+  static_assert(stride * sizeof(T) == 1u << shift);
+  static SCREE_FN void store_places(const Points& p, Index (&base)[2][width]) {
+    SCREE_UNROLL for (int k = 0; k < 2; ++k) scree::store(base[k], p.base[k] << shift);
+  }
+  static SCREE_FN const T* row_at(const T* rows, Index place) {
+    return reinterpret_cast<const T*>(reinterpret_cast<const char*>(rows) + place);
+  }
+  static SCREE_FN T* row_at(T* rows, Index place) {
+    return reinterpret_cast<T*>(reinterpret_cast<char*>(rows) + place);
+  }
 
-  /// One particle's node weights: one quad a row, the quads of all particles one behind the other.
+  static constexpr int together = Row::part_quads;  ///< particles whose quads share a register
+  static constexpr int quads = 4 * width;           ///< numbers of one quad of all particles
+  static constexpr int weight_rows = D == 2 ? 2 : 4;
+
+  /// The node weights of the particle with the j-th quads of a register: one quad a row.
+  template <int j>
   struct Weights {
-    static constexpr int count = D == 2 ? 2 : 4;
     const T* first;
     /// The weights of the row used at place `row`, for whole quads.
-    SCREE_FN Row of(int row) const { return Row::spread(first + row * 4 * width); }
+    SCREE_FN Row of(int row) const { return Row::template spread<j>(first + row * quads); }
   };
 
-  struct QuadPlaces {
-    int value[width];
-    constexpr QuadPlaces() : value{} {
-      for (int l = 0; l < width; ++l) value[l] = Transpose::quad_place(l);
-    }
-  };
-  static constexpr QuadPlaces quad_places{};
-
-  /// For each pattern of sides: the offset of lattice 1 from lattice 0, axis a in quad a + 1.
-  struct HalfCells {
-    alignas(64) T value[1 << D][16];
-    constexpr HalfCells() : value{} {
-      for (int s = 0; s < 1 << D; ++s) {
-        for (int a = 0; a < D; ++a) {
-          for (int c = 0; c < 4; ++c) {
-            value[s][4 * (a + 1) + c] = (s >> a & 1) != 0 ? T(0.5) : T(-0.5);
-          }
-        }
-      }
-    }
-  };
-  static constexpr HalfCells half_cells{};
   static constexpr QuadPattern<T> upper_nodes{T(0), T(0), T(1), T(1)};
   static constexpr QuadPattern<T> odd_nodes{T(0), T(1), T(0), T(1)};
-  static constexpr QuadPattern<T> first_quad{T(1), T(0), T(0), T(0)};
-  static constexpr QuadPattern<T> first_two_quads{T(1), T(1), T(0), T(0)};
 
   static SCREE_FN Row cell(const T* row) { return Row::load_cell(row, line_step); }
   static SCREE_FN void add(T* row, const Row& weight, const Row& value) {
     multiply_add(weight, value, cell(row)).store_cell(row, line_step);
   }
 
-  /// Bit a: lattice 1 lies above lattice 0 on axis a.
-  static SCREE_FN IntOf<V> side_code(const Points& p) {
-    V code = broadcast<V>(T(0));
-    for (int a = 0; a < D; ++a) {
-      code = code +
-             select(p.offset[1][a] > p.offset[0][a], broadcast<V>(T(1 << a)), broadcast<V>(T(0)));
-    }
-    return to_int(code);
-  }
-
   /// Quads of node weights in the order in which rows are used: lattice, then first axis (3D).
-  static inline void row_weights(const Points& p, T* quads) {
-    alignas(64) T lanes[Weights::count * 4 * width];
+  static SCREE_FN void row_weights(const Points& p, T* weights) {
     for (int k = 0; k < 2; ++k) {
       const auto& w = p.weight[k];
-      for (int j = 0; j < 2; ++j) {
+      V cell[4];
+      for (int i = 0; i < 4; ++i) cell[i] = w[D - 2][i / 2] * w[D - 1][i % 2];
+      if constexpr (D == 2) {
+        Transpose::to_quads(cell[0], cell[1], cell[2], cell[3], weights + k * quads);
+      } else {
         for (int i = 0; i < 2; ++i) {
-          const V cell = w[D - 2][j] * w[D - 1][i];
-          const int slot = 2 * j + i;
-          if constexpr (D == 2) {
-            scree::store(lanes + (4 * k + slot) * width, cell);
-          } else {
-            scree::store(lanes + (8 * k + slot) * width, w[0][0] * cell);
-            scree::store(lanes + (8 * k + 4 + slot) * width, w[0][1] * cell);
-          }
+          const V& first = w[0][i];
+          Transpose::to_quads(first * cell[0], first * cell[1], first * cell[2], first * cell[3],
+                              weights + (2 * k + i) * quads);
         }
       }
     }
-    for (int r = 0; r < Weights::count; ++r) {
-      Transpose::to_quads(lanes + r * 4 * width, quads + r * 4 * width);
+  }
+
+  /// Sums over the nodes of the rows: {all, plus, moments on each axis}, quads of `together`
+  /// particles side by side.
+  static SCREE_FN void store_sums(const Row (&all)[together], const Row (&far)[together],
+                                  const Row (&plus)[together], T* sums) {
+    typename Row::Native node[4];
+    node_quads(all, node);
+    const auto upper = node[2] + node[3];
+    Row::store_part(sums, upper + (node[0] + node[1]));
+    Row::store_part(sums + quads, totals(plus));
+    if constexpr (D == 3) Row::store_part(sums + 2 * quads, totals(far));
+    Row::store_part(sums + D * quads, upper);
+    Row::store_part(sums + (D + 1) * quads, node[1] + node[3]);
+  }
+
+  /// Velocity and affine matrix from the sums.
+  static SCREE_FN void turn_moments(const Points& p, const T* sums, V (&velocity)[D],
+                                    V (&affine)[D][D]) {
+    V value[3];
+    V plus[3];
+    Transpose::from_quads(sums, value[0], value[1], value[2]);
+    Transpose::from_quads(sums + quads, plus[0], plus[1], plus[2]);
+    for (int c = 0; c < D; ++c) velocity[c] = value[c];
+    for (int a = 0; a < D; ++a) {
+      const V apart = p.offset[1][a] - p.offset[0][a];
+      V moment[3];
+      Transpose::from_quads(sums + (2 + a) * quads, moment[0], moment[1], moment[2]);
+      for (int c = 0; c < D; ++c) {
+        affine[c][a] = mul_add(apart, plus[c], mul_add(p.offset[0][a], value[c], moment[c]));
+      }
     }
   }
 
   /// Quads of all particles: {momentum at the lowest node of lattice 0, mass}, the same for
   /// lattice 1, then the columns of A. Lanes outside `live` add nothing.
-  static inline void particle_records(const Points& p, const V (&q)[D], const V& mass,
-                                      const V (&affine)[D][D], const MaskOf<V>& live, T* records) {
-    alignas(64) T lanes[(D + 2) * 4 * width];
+  static SCREE_FN void particle_records(const Points& p, const V (&q)[D], const V& mass,
+                                        const V (&affine)[D][D], const MaskOf<V>& live,
+                                        T* records) {
     const V none = broadcast<V>(T(0));
-    for (int i = 0; i < D + 2; ++i) {
-      const V last = i < 2 ? select(live, mass, none) : none;
-      scree::store(lanes + (4 * i + 3) * width, last);
-      if constexpr (D == 2) scree::store(lanes + (4 * i + 2) * width, none);
-    }
-    for (int c = 0; c < D; ++c) {
-      V lowest[2] = {q[c], q[c]};
-      for (int a = 0; a < D; ++a) {
-        for (int k = 0; k < 2; ++k) lowest[k] = mul_add(affine[c][a], p.offset[k][a], lowest[k]);
-        scree::store(lanes + (4 * (a + 2) + c) * width, select(live, affine[c][a], none));
-      }
+    V slope[D][3];
+    V lowest[2][3];
+    for (int c = 0; c < 3; ++c) {
+      for (int a = 0; a < D; ++a) slope[a][c] = c < D ? select(live, affine[c % D][a], none) : none;
       for (int k = 0; k < 2; ++k) {
-        scree::store(lanes + (4 * k + c) * width, select(live, lowest[k], none));
+        lowest[k][c] = c < D ? select(live, q[c % D], none) : none;
+        for (int a = 0; a < D && c < D; ++a) {
+          lowest[k][c] = mul_add(slope[a][c], p.offset[k][a], lowest[k][c]);
+        }
       }
     }
-    for (int i = 0; i < D + 2; ++i) {
-      Transpose::to_quads(lanes + i * 4 * width, records + i * 4 * width);
+    const V some = select(live, mass, none);
+    for (int k = 0; k < 2; ++k) {
+      Transpose::to_quads(lowest[k][0], lowest[k][1], lowest[k][2], some, records + k * quads);
     }
-  }
-
-  /// 2D: {sum, sum over the upper nodes, sum over the odd nodes, unused} of a row.
-  static SCREE_FN Row row_moments(const Row& t) {
-    if constexpr (Row::parts == 4) {
-      const auto upper = t.part[2] + t.part[3];
-      return {{upper + (t.part[0] + t.part[1]), upper, t.part[1] + t.part[3], upper}};
-    } else {
-      const Row pairs = quads<0, 2, 1, 0>(t, t) + quads<1, 3, 3, 0>(t, t);
-      const Row upper = quads<2, 2, 2, 2>(t, t) + quads<3, 3, 3, 3>(t, t);
-      return multiply_add(upper, Row::load(first_quad.value), pairs);
-    }
-  }
-
-  /// 3D: {sum, sum of the far row, sum over the upper nodes, sum over the odd nodes}; all: both
-  /// rows, far: the row one node up on the first axis.
-  static SCREE_FN Row plane_moments(const Row& all, const Row& far) {
-    if constexpr (Row::parts == 4) {
-      const auto& a = all.part;
-      const auto& f = far.part;
-      const auto upper = a[2] + a[3];
-      return {{(a[0] + a[1]) + upper, (f[0] + f[1]) + (f[2] + f[3]), upper, a[1] + a[3]}};
-    } else {
-      const Row pairs = quads<0, 4, 2, 1>(all, far) + quads<1, 5, 3, 3>(all, far);
-      const Row upper = quads<2, 6, 2, 6>(all, far) + quads<3, 7, 3, 7>(all, far);
-      if constexpr (Row::parts == 2) {
-        return {{pairs.part[0] + upper.part[0], pairs.part[1]}};
-      } else {
-        return multiply_add(upper, Row::load(first_two_quads.value), pairs);
-      }
+    for (int a = 0; a < D; ++a) {
+      Transpose::to_quads(slope[a][0], slope[a][1], slope[a][2], none, records + (2 + a) * quads);
     }
   }
 };

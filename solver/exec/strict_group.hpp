@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -35,6 +36,7 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
   using typename Base::Shape;
   using typename Base::V;
   using Batch = StrictBatch<T>;
+  static constexpr int max_set = 1;
   using Base::arena_values;
   using Base::block_origin;
   using Base::channels;
@@ -99,14 +101,18 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
   template <class F>
   void each_batch(F&& f) {
     between_batches("each_batch");
-    const int first = data_.batch_begin[block_];
-    for (const int i : visiting_order()) {
-      const int active = std::min(width, data_.counts[block_] - (i - first) * width);
-      current_ = Batch{Base::batch(i, active), ++visit_};
+    for (const int n : visiting_order()) {
+      current_ = Batch{Base::batch(n), ++visit_};
       visiting_ = true;
       f(std::as_const(current_));
       visiting_ = false;
     }
+  }
+
+  template <int size, class F>
+  void each_set(F&& f) {
+    static_assert(size == max_set);
+    each_batch([&](const Batch& b) { f(BatchSet<Batch, 1>{{b}, 1}); });
   }
 
   V load(const Batch& b, int field) const {
@@ -304,10 +310,8 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
 
   /// The block's batches, shuffled (Fisher, Yates).
   std::vector<int> visiting_order() const {
-    std::vector<int> order;
-    for (int i = data_.batch_begin[block_]; i < data_.batch_begin[block_ + 1]; ++i) {
-      order.push_back(i);
-    }
+    std::vector<int> order(std::size_t(Base::batches()));
+    std::iota(order.begin(), order.end(), 0);
     std::uint64_t state = order.size();
     for (int a = 0; a < D; ++a) {
       state = next(state ^ std::uint64_t(std::uint32_t(data_.coords[block_ * D + a])));

@@ -3,16 +3,17 @@
 
 #include <utility>
 
-#include "solver/base/register.hpp"
+#include "solver/base/pack.hpp"
 
 namespace scree {
 
-/// Register transposes between "lanes = particles" (one vector of 64 bytes a quantity) and "one
-/// record of 16 numbers a particle": squares of one register of the machine each, first within
-/// pieces of 16 bytes (interleaving, cheap), then whole pieces.
+/// Register transposes between "lanes = particles" (one register a quantity) and "one record of 16
+/// numbers a particle": squares of one register each, first within pieces of 16 bytes
+/// (interleaving, cheap), then whole pieces.
 template <class T>
 struct LaneTranspose {
-  static constexpr int width = 64 / sizeof(T);
+  using V = RegisterLanes<T>;
+  static constexpr int width = detail::register_bytes / int(sizeof(T));
   static constexpr int record = 16;
 
   /// in: 16 vectors (quantity q of all lanes at in + q * width); out: record of lane l at out + 16
@@ -26,30 +27,39 @@ struct LaneTranspose {
     turn<width, record>(in, record, out, width);
   }
 
-  /// in: 4 vectors (quantity q of all lanes at in + q * width); out: quad of lane l at out +
-  /// quad_place(l).
-  [[gnu::always_inline]] static inline void to_quads(const T* in, T* out) {
-    for (int first = 0; first < width; first += size) {
-      Native rows[4];
-      SCREE_UNROLL for (int i = 0; i < 4; ++i) rows[i] = at(in + i * width + first);
-      within_pieces(rows);
-      if constexpr (piece == 2) pair_pieces(rows);
-      SCREE_UNROLL for (int i = 0; i < 4; ++i) at(out + 4 * first + i * size) = rows[i];
-    }
+  /// Quads {a, b, c, d} of all lanes; that of lane l at out + quad_place(l).
+  [[gnu::always_inline]] static inline void to_quads(const V& a, const V& b, const V& c, const V& d,
+                                                     T* out) {
+    Native rows[4] = {Native(a.v), Native(b.v), Native(c.v), Native(d.v)};
+    within_pieces(rows);
+    if constexpr (piece == 2) pair_pieces(rows);
+    SCREE_UNROLL for (int i = 0; i < 4; ++i) at(out + i * size) = rows[i];
   }
-  /// Places are such that most quads need no more than interleaving.
+  /// The inverse: the first three numbers of the quads at `in`.
+  [[gnu::always_inline]] static inline void from_quads(const T* in, V& a, V& b, V& c) {
+    Native rows[4];
+    SCREE_UNROLL for (int i = 0; i < 4; ++i) rows[i] = at(in + i * size);
+    if constexpr (piece == 2) part_pieces(rows);
+    within_pieces(rows);
+    a.v = typename V::Vector(rows[0]);
+    b.v = typename V::Vector(rows[1]);
+    c.v = typename V::Vector(rows[2]);
+  }
+  /// Places are such that most quads need no more than interleaving: quad_lane(r, j) is the lane of
+  /// the j-th quad in the r-th register of them, or of a register and a quad of several.
+  static constexpr int quad_lane(int r, int j) {
+    return piece == 2 && pieces == 4 ? r % 2 * 2 + r / 2 + 4 * j : r + 4 * j;
+  }
   static constexpr int quad_place(int l) {
-    const int first = l / size * size;
-    const int in = l - first;
-    if (piece == 4) return 4 * first + in % 4 * size + in / 4 * 4;
-    if (pieces == 4) return 4 * first + (in % 2 * 2 + in / 2 % 2) * size + in / 4 * 4;
+    if (piece == 4) return l % 4 * size + l / 4 * 4;
+    if (pieces == 4) return (l % 2 * 2 + l / 2 % 2) * size + l / 4 * 4;
     return 4 * l;
   }
 
  private:
   static constexpr int bytes = detail::register_bytes;
-  static constexpr int size = bytes / int(sizeof(T));  ///< numbers in a register
-  static constexpr int piece = 16 / int(sizeof(T));    ///< numbers in 16 bytes
+  static constexpr int size = width;                 ///< numbers in a register
+  static constexpr int piece = 16 / int(sizeof(T));  ///< numbers in 16 bytes
   static constexpr int pieces = bytes / 16;
   typedef T Native __attribute__((vector_size(bytes), may_alias));
 
@@ -134,6 +144,24 @@ struct LaneTranspose {
       rows[1] = join<1, 5, 3, 7>(a, c);
       rows[2] = join<0, 4, 2, 6>(b, d);
       rows[3] = join<1, 5, 3, 7>(b, d);
+    }
+  }
+  /// The inverse of pair_pieces.
+  [[gnu::always_inline]] static inline void part_pieces(Native (&rows)[4]) {
+    const Native a = rows[0], b = rows[1], c = rows[2], d = rows[3];
+    if constexpr (pieces == 1) {
+      rows[1] = c;
+      rows[2] = b;
+    } else if constexpr (pieces == 2) {
+      rows[0] = join<0, 2>(a, c);
+      rows[1] = join<0, 2>(b, d);
+      rows[2] = join<1, 3>(a, c);
+      rows[3] = join<1, 3>(b, d);
+    } else {
+      rows[0] = join<0, 4, 2, 6>(a, b);
+      rows[1] = join<0, 4, 2, 6>(c, d);
+      rows[2] = join<1, 5, 3, 7>(a, b);
+      rows[3] = join<1, 5, 3, 7>(c, d);
     }
   }
 

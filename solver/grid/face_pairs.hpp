@@ -16,6 +16,7 @@ template <int D>
 struct Faces {
   std::array<std::array<FaceType, 2>, D> type{};
   std::array<std::array<double, 2>, D> friction{};
+  NoSlip no_slip = NoSlip::node;
 };
 
 /// A node beyond a face and its image within; both are record indices. A node on a wall is its own

@@ -83,20 +83,18 @@ double GridUpdate<D, T>::add_forces(const Grid<D, T>& grid, T* p, T* q, const Gr
   return total / grid.lattices();
 }
 
-/// Held walls come last: they act on the velocities that mirror planes and periodic faces have made
-/// whole, so the result does not hang on the order of the axes.
 template <int D, class T>
 void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
   T* before = separate ? q : nullptr;
-  for (const bool held : {false, true}) {
+  for (int stage = 0; stage < fold_stages; ++stage) {
     for (int axis = 0; axis < D; ++axis) {
       for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
         const FacePair& pair = pairs_[axis][i];
-        if ((faces_.type[axis][pair.side] == FaceType::sticky) != held) continue;
+        if (fold_stage(faces_.type[axis][pair.side], faces_.no_slip) != stage) continue;
         if (pair.ghost == pair.image) {
           hold_wall(pair, axis, p, before);
         } else {
-          folded_[axis][i] = fold_pair_of_nodes(pair, axis, p, before) ? 1 : 0;
+          folded_[axis][i] = fold_pair_of_nodes(pair, axis, p, before);
         }
       }
     }
@@ -111,15 +109,15 @@ void GridUpdate<D, T>::hold_wall(const FacePair& pair, int axis, T* p, T* before
                     pair.side, p + image, before == nullptr ? nullptr : before + image);
 }
 
-/// A ghost and its image; true if the ghost's mass moved to the image.
+/// A ghost and its image; a PairState.
 template <int D, class T>
-bool GridUpdate<D, T>::fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const {
+char GridUpdate<D, T>::fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const {
   const std::int64_t image = pair.image * node_values;
   const std::int64_t ghost = pair.ghost * node_values;
-  return fold_ghost<D>(faces_.type[axis][pair.side], T(faces_.friction[axis][pair.side]), axis,
-                       pair.side, p + image, p + ghost,
-                       before == nullptr ? nullptr : before + image,
-                       before == nullptr ? nullptr : before + ghost);
+  return char(fold_ghost<D>(faces_.type[axis][pair.side], faces_.no_slip,
+                            T(faces_.friction[axis][pair.side]), axis, pair.side, p + image,
+                            p + ghost, before == nullptr ? nullptr : before + image,
+                            before == nullptr ? nullptr : before + ghost));
 }
 
 template <int D, class T>
@@ -135,15 +133,15 @@ void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
 
 template <int D, class T>
 void GridUpdate<D, T>::unfold(T* p, T* q, bool separate) const {
-  for (const bool held : {true, false}) {
+  for (int stage = fold_stages - 1; stage >= 0; --stage) {
     for (int axis = D - 1; axis >= 0; --axis) {
       for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
         const FacePair& pair = pairs_[axis][i];
         const FaceType type = faces_.type[axis][pair.side];
-        if ((type == FaceType::sticky) != held) continue;
-        if (folded_[axis][i] == 0 || pair.ghost == pair.image) continue;
+        if (fold_stage(type, faces_.no_slip) != stage) continue;
+        if (folded_[axis][i] != pair_follows || pair.ghost == pair.image) continue;
         for (T* channel : {p, separate ? q : p}) {
-          unfold_ghost<D>(type, axis, channel + pair.image * node_values,
+          unfold_ghost<D>(type, faces_.no_slip, axis, channel + pair.image * node_values,
                           channel + pair.ghost * node_values);
         }
       }

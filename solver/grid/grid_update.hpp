@@ -70,7 +70,7 @@ class GridUpdate {
   double add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces, ThreadPool& pool);
   void fold(T* p, T* q, bool separate);
   void hold_wall(const FacePair& pair, int axis, T* p, T* before) const;
-  bool fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const;
+  char fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const;
   void unfold(T* p, T* q, bool separate) const;
   void to_velocity(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
                    std::vector<Collider>& colliders, ThreadPool& pool);
@@ -91,7 +91,7 @@ class GridUpdate {
   std::array<double, 3> lower_;
   double cell_size_;
   FacePairs<D> pairs_;
-  std::array<std::vector<char>, D> folded_;  ///< per pair: the ghost follows its image
+  std::array<std::vector<char>, D> folded_;  ///< a PairState per pair
   /// Per block, then per collider (or none yet); remembered_ are the keys of these blocks.
   std::vector<std::vector<BlockContactMemory>> memory_;
   std::vector<std::uint64_t> remembered_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "solver/boundary/collider.hpp"
@@ -77,6 +78,17 @@ struct UpdatedGrid {
   GridUpdate<D, T>* update = nullptr;      ///< what it decided, and its reactions
 };
 
+/// What loads need of a particle, and what they give it.
+template <int D>
+struct LoadedParticle {
+  std::int64_t id = -1;
+  int body = 0;
+  std::array<double, D> cells{};          ///< position, cells from the domain's lower corner
+  std::array<double, D> velocity{};       ///< [m/s]
+  std::array<double, D * D> increment{};  ///< dt grad v of the last step
+  std::array<double, D> acceleration{};   ///< force per mass of the last step [m/s^2]
+};
+
 /// Where a run computes: it holds the particles and the grid while the run steps.
 ///
 /// The order of a step, its length, loads and output are the simulation's; a backend offers the
@@ -95,6 +107,14 @@ class Backend {
   virtual void give_particles() = 0;
   /// Takes `count` aux fields from the stores, the first at `first`, after give_particles().
   virtual void take_aux(int first, int count) = 0;
+  /// Loads act on these particles alone, by id in ascending order. True where the backend brings
+  /// them by read_loaded() with less work than all; then neither give_particles() nor take_aux() is
+  /// needed for loads.
+  virtual bool load_only(const std::vector<std::int64_t>&) { return false; }
+  /// Those of load_only() that are still there, by body and id, until the next call.
+  virtual std::vector<LoadedParticle<D>>& read_loaded() { throw std::logic_error("no such list"); }
+  /// Takes the accelerations of what read_loaded() has given, in its order.
+  virtual void write_loaded() {}
   /// Changes where aux fields lie; their contents are lost where their number changes.
   virtual void set_layout(const AuxLayout& layout) = 0;
   virtual std::int64_t count(std::size_t body) const = 0;  ///< particles, the dead included

@@ -23,6 +23,14 @@ ExternalForce::ExternalForce(BodyForce body_force, const std::vector<TractionSet
   }
 }
 
+std::vector<std::int64_t> ExternalForce::loaded_ids() const {
+  std::vector<std::int64_t> ids;
+  for (std::size_t id = 0; id < first_load_.size(); ++id) {
+    if (first_load_[id] >= 0) ids.push_back(std::int64_t(id));
+  }
+  return ids;
+}
+
 void ExternalForce::deform(std::int64_t id, const Mat3<double>& increment) {
   for (std::int32_t i = first_load_[std::size_t(id)]; i >= 0; i = loads_[std::size_t(i)].next) {
     Load& load = loads_[std::size_t(i)];

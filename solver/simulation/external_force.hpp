@@ -27,6 +27,9 @@ class ExternalForce {
   /// Follows the total deformation of a loaded particle: F <- (I + increment) F.
   void deform(std::int64_t id, const Mat3<double>& increment);
   bool has_tractions() const { return !loads_.empty(); }
+  /// Whether particles without a traction are free of forces.
+  bool tractions_only() const { return !body_force_; }
+  std::vector<std::int64_t> loaded_ids() const;  ///< ascending
   bool loaded(std::int64_t id) const { return first_load_[std::size_t(id)] >= 0; }
 
   /// Acceleration of particle `id` at reference position X and position x [m/s^2].

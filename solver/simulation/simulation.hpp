@@ -79,6 +79,7 @@ struct SimulationSetup {
   std::function<std::array<double, 3>(const double* X, const double* x, double t)> body_force;
   std::array<std::array<FaceType, 2>, 3> faces{};  ///< [axis][lower, upper]
   std::array<std::array<double, 2>, 3> face_friction{};
+  NoSlip no_slip = NoSlip::node;  ///< of sticky and friction faces
   std::vector<ColliderSpec> colliders;
   std::vector<BodySetup> bodies;
   std::vector<TractionSetup> tractions;

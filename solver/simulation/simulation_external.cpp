@@ -65,6 +65,11 @@ template <int D, class T>
 void SimulationImpl<D, T>::update_external() {
   if (layout_.external < 0) return;
   const auto start = std::chrono::steady_clock::now();
+  if (loads_alone_) {
+    update_loads_alone();
+    time_phase(Phase::external, start);
+    return;
+  }
   backend_->give_particles();
   if (external_) {
     external_work_ = external_work(external_power());
@@ -104,6 +109,34 @@ void SimulationImpl<D, T>::update_loads() {
       }
     }
   }
+}
+
+/// The same where the backend brings the loaded particles alone.
+template <int D, class T>
+void SimulationImpl<D, T>::update_loads_alone() {
+  std::vector<LoadedParticle<D>>& particles = backend_->read_loaded();
+  const auto power = [&] {
+    double sum = 0;
+    for (const LoadedParticle<D>& p : particles) {
+      const double mass = bodies_[std::size_t(p.body)].body->info().particle_mass();
+      for (std::size_t a = 0; a < D; ++a) sum += mass * p.acceleration[a] * p.velocity[a];
+    }
+    return sum;
+  };
+  external_work_ = external_work(power());
+  for (LoadedParticle<D>& p : particles) {
+    Mat3<double> increment = zero3<double>();
+    for (int k = 0; k < D * D; ++k) increment(k / D, k % D) = p.increment[std::size_t(k)];
+    external_->deform(p.id, increment);
+    std::array<double, 3> x{};
+    for (std::size_t a = 0; a < D; ++a) x[a] = setup_.lower[a] + setup_.cell_size * p.cells[a];
+    const std::array<double, 3> f =
+        external_->acceleration(p.id, &reference_[3 * std::size_t(p.id)], x.data(), clock_.time);
+    // As the backend keeps it.
+    for (std::size_t a = 0; a < D; ++a) p.acceleration[a] = double(T(f[a]));
+  }
+  external_power_ = power();
+  backend_->write_loaded();
 }
 
 /// Particles keep their mass; the weight of the water that they have gained since the start, or

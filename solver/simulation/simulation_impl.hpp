@@ -81,6 +81,7 @@ class SimulationImpl final : public Simulation {
   void scatter_all(double dt);
   void average_volumes(const Parameters& pass);
   void update_external();
+  void update_loads_alone();
   void update_loads();
   void add_gained_weight();
   double external_power() const;
@@ -142,6 +143,7 @@ class SimulationImpl final : public Simulation {
   std::unique_ptr<Backend<D, T>> backend_;  ///< refers to bodies_ and executor_
   std::vector<Collider> colliders_;
   std::unique_ptr<ExternalForce> external_;
+  bool loads_alone_ = false;   ///< the backend brings loaded particles alone
   double external_work_ = 0;   ///< of the loads on particles up to the last step's start [J]
   double external_power_ = 0;  ///< of the same loads at that start [W]
   std::vector<double> collider_work_;     ///< done on the particles since t = 0 [J]

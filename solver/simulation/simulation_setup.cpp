@@ -119,6 +119,9 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
   backend_ = make_backend();
   backend_->take_particles();
   make_flow();
+  if (external_ && external_->tractions_only() && !flow_) {
+    loads_alone_ = backend_->load_only(external_->loaded_ids());
+  }
   // Of the bodies' setups the output still needs the laws' inputs; the particles' arrays go.
   for (BodySetup& body : setup_.bodies) {
     BodySetup rest;
@@ -167,6 +170,7 @@ Faces<D> SimulationImpl<D, T>::make_faces() const {
     faces.type[a] = setup_.faces[a];
     faces.friction[a] = setup_.face_friction[a];
   }
+  faces.no_slip = setup_.no_slip;
   return faces;
 }
 

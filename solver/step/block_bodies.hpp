@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+
+#include "solver/step/batch_pair.hpp"
 #include "solver/step/particle_ops.hpp"
 #include "solver/step/transfer.hpp"
 
@@ -84,6 +87,82 @@ SCREE_FN void stress_block(G& g, const PassData<D, T>& data,
   });
 }
 
+/// What a batch carries through the material update.
+template <class V, int D>
+struct Underway {
+  V u[D];
+  V velocity[D];
+  V affine[D][D];
+  Mat3<V> increment;  ///< dt grad v
+  V live;
+};
+
+/// Gathers, moves the particles and stores their positions.
+template <class Kernel, class G, class V, int D, class T>
+SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassParameters<T>& par,
+                              Underway<V, D>& p) {
+  V u[D];
+  load_position(g, b, u);
+  Motion<V, D> motion;
+  Mls<Kernel>::gather(g, Kernel::template at<V, D>(u), par.flip_blend, motion);
+  p.live = move_particle(g, b, par, motion, u);
+  for (int c = 0; c < D; ++c) {
+    g.store(b, c, u[c]);
+    p.u[c] = u[c];
+    p.velocity[c] = motion.velocity[c];
+    for (int a = 0; a < D; ++a) p.affine[c][a] = motion.affine[c][a];
+  }
+  p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
+}
+
+/// Scatters with the stress tau [Pa].
+template <class Kernel, class G, class V, int D, class T>
+SCREE_FN void return_to_grid(G& g, const typename G::Batch& b, const PassData<D, T>& data,
+                             const Underway<V, D>& p, const Sym3<V>& tau) {
+  const PassParameters<T>& par = data.parameters;
+  V u[D];
+  Motion<V, D> motion;
+  for (int c = 0; c < D; ++c) {
+    u[c] = g.load_again(b, c, p.u[c]);
+    motion.velocity[c] = p.velocity[c];
+    for (int a = 0; a < D; ++a) motion.affine[c][a] = p.affine[c][a];
+  }
+  if (par.record) {
+    store_motion(g, b, data.layout, motion);
+    store_stress(g, b, data.layout, tau);
+  }
+  Mls<Kernel>::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion,
+                       make_impulse<V, D>(par, tau), false, p.live);
+}
+
+/// The material update of the batches of a set together.
+template <class Material, class G, class V, int D, class T, int n>
+SCREE_FN auto update_together(G& g, const BatchSet<typename G::Batch, n>& set,
+                              const PassParameters<T>& par,
+                              const typename Material::template Params<T>& material,
+                              const Underway<V, D> (&p)[n]) {
+  if constexpr (n == 1) {
+    return update_material<Material>(g, set.batch[0], par, material, p[0].increment, p[0].u,
+                                     p[0].velocity);
+  } else {
+    using W = typename PairedGroup<G>::V;
+    PairedGroup<G> both(g);
+    Mat3<W> increment;
+    W u[D];
+    W velocity[D];
+    for (int c = 0; c < 3; ++c) {
+      for (int a = 0; a < 3; ++a) {
+        increment(c, a) = {p[0].increment(c, a), p[1].increment(c, a)};
+      }
+    }
+    for (int c = 0; c < D; ++c) {
+      u[c] = {p[0].u[c], p[1].u[c]};
+      velocity[c] = {p[0].velocity[c], p[1].velocity[c]};
+    }
+    return update_material<Material>(both, set, par, material, increment, u, velocity);
+  }
+}
+
 /// The fused pass: gather the new grid velocities, move and deform the particle, return its stress
 /// to the next step's grid. Only position and material state are stored; velocity, affine matrix
 /// and stress leave the registers on request (par.record).
@@ -91,29 +170,23 @@ template <class Kernel, class Material, class G, int D, class T>
 SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
                           const typename Material::template Params<T>& material) {
   using V = typename G::V;
-  using Transfer = Mls<Kernel>;
   const PassParameters<T>& par = data.parameters;
   g.stage_in(0);
   g.clear(0);
   g.sync();
-  g.each_batch([&](const typename G::Batch& b) {
-    V u[D];
-    load_position(g, b, u);
-    Motion<V, D> motion;
-    Transfer::gather(g, Kernel::template at<V, D>(u), par.flip_blend, motion);
-    const V live = move_particle(g, b, par, motion, u);
-    for (int c = 0; c < D; ++c) g.store(b, c, u[c]);
-    const Mat3<V> increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
-    const Sym3<V> tau =
-        update_material<Material>(g, b, par, material, increment, u, motion.velocity);
-    if (par.record) {
-      store_motion(g, b, data.layout, motion);
-      store_stress(g, b, data.layout, tau);
+  constexpr int size = std::min(G::max_set, batches_together<Material>);
+  g.template each_set<size>([&](const BatchSet<typename G::Batch, size>& set) {
+    Underway<V, D> p[size];
+    SCREE_UNROLL_ON_DEVICE for (int i = 0; i < size; ++i) {
+      if (i < set.parts) gather_and_move<Kernel>(g, set.batch[i], par, p[i]);
     }
-    const Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
-    for (int c = 0; c < D; ++c) u[c] = g.load_again(b, c, u[c]);
-    Transfer::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion, impulse, false,
-                      live);
+    if (set.parts < size) p[size - 1] = p[0];
+    const auto tau = update_together<Material>(g, set, par, material, p);
+    SCREE_UNROLL_ON_DEVICE for (int i = 0; i < size; ++i) {
+      if (i < set.parts) {
+        return_to_grid<Kernel>(g, set.batch[i], data, p[i], part_of<size>(tau, i));
+      }
+    }
   });
   g.sync();
   g.stage_out(0);

@@ -148,21 +148,48 @@ inline constexpr bool effective_stress = [] {
   return false;
 }();
 
-/// Follows the pore pressure in field `field` over the step and adds its share to the stress and
-/// the wave speed of the skeleton.
+/// Follows the pore pressure in field `field` over the step, adds its share to the wave speed of
+/// the skeleton, and returns it [Pa].
 template <class G, class V, class T>
-SCREE_FN void add_pore_water(G& g, const typename G::Batch& b, int field,
+SCREE_FN V follow_pore_water(G& g, const typename G::Batch& b, int field,
                              const PassParameters<T>& par, const Mat3<V>& increment,
-                             const V& volume_ratio, Sym3<V>& tau, V& wave_speed) {
+                             const V& volume_ratio, V& wave_speed) {
   const V pressure = pore_water::advance(g.load(b, field), par.undrained_bulk_modulus, increment);
   g.store(b, field, pressure);
-  tau = pore_water::total(tau, volume_ratio, pressure);
   wave_speed = pore_water::wave_speed(wave_speed, volume_ratio, par.water_stiffness);
+  return pressure;
+}
+
+/// Reports a new state: its wave speed, and whether the law can represent it at all. Returns the
+/// pore pressure [Pa], 0 where there is none.
+template <class Material, class G, class V, int D, class T>
+SCREE_FN V report_state(G& g, const typename G::Batch& b, const PassParameters<T>& par,
+                        const typename Material::template Params<T>& material,
+                        const typename Material::template State<V>& state, const Mat3<V>& increment,
+                        const V (&u)[D], const V (&velocity)[D]) {
+  using State = typename Material::template State<V>;
+  const MaskOf<V> active = g.active(b);
+  const MaskOf<V> admissible = Material::admissible(material, state);
+  g.fault(active & !admissible, FaultCode::inadmissible_state,
+          Material::volume_ratio(material, state), u, b);
+  V wave_speed = Material::wave_speed(material, state);
+  V pressure = broadcast<V>(T(0));
+  if constexpr (effective_stress<Material>) {
+    if (par.undrained_bulk_modulus > T(0)) {
+      pressure = follow_pore_water(g, b, D + state_entries<State, V>, par, increment,
+                                   Material::volume_ratio(material, state), wave_speed);
+    }
+  }
+  V square = velocity[0] * velocity[0];
+  for (int c = 1; c < D; ++c) square = square + velocity[c] * velocity[c];
+  const V diffusion = diffusion_speed<Material, V, T>(material, state, D, par.cell_size);
+  g.note_signal(active, wave_speed + sqrt(square) + diffusion);
+  return pressure;
 }
 
 /// Loads the material state, applies dt grad v, stores it and returns the Kirchhoff stress [Pa],
 /// with the pore pressure where there is one; reports the wave speed and states that the material
-/// cannot represent.
+/// cannot represent. (A stress that comes last need not wait in registers for the rest.)
 template <class Material, class G, class V, int D, class T>
 SCREE_FN Sym3<V> update_material(G& g, const typename G::Batch& b, const PassParameters<T>& par,
                                  const typename Material::template Params<T>& material,
@@ -170,23 +197,20 @@ SCREE_FN Sym3<V> update_material(G& g, const typename G::Batch& b, const PassPar
                                  const V (&velocity)[D]) {
   using State = typename Material::template State<V>;
   State state = load_state<State, V>(g, b, D);
-  Sym3<V> tau = Material::kirchhoff(material, state, increment, par.dt);
+  Sym3<V> tau;
+  if constexpr (stress_of_state<Material, V, T>) {
+    Material::advance(material, state, increment);
+  } else {
+    tau = Material::kirchhoff(material, state, increment, par.dt);
+  }
   store_state<V>(g, b, D, state);
-  const MaskOf<V> active = g.active(b);
-  const MaskOf<V> admissible = Material::admissible(material, state);
-  g.fault(active & !admissible, FaultCode::inadmissible_state,
-          Material::volume_ratio(material, state), u, b);
-  V wave_speed = Material::wave_speed(material, state);
+  const V pressure = report_state<Material>(g, b, par, material, state, increment, u, velocity);
+  if constexpr (stress_of_state<Material, V, T>) tau = Material::stress(material, state);
   if constexpr (effective_stress<Material>) {
     if (par.undrained_bulk_modulus > T(0)) {
-      add_pore_water(g, b, D + state_entries<State, V>, par, increment,
-                     Material::volume_ratio(material, state), tau, wave_speed);
+      tau = pore_water::total(tau, Material::volume_ratio(material, state), pressure);
     }
   }
-  V square = velocity[0] * velocity[0];
-  for (int c = 1; c < D; ++c) square = square + velocity[c] * velocity[c];
-  const V diffusion = diffusion_speed<Material, V, T>(material, state, D, par.cell_size);
-  g.note_signal(active, wave_speed + sqrt(square) + diffusion);
   return tau;
 }
 

@@ -180,6 +180,8 @@ TEST(FrictionHardeningTest, DeckErrors) {
   in = hardening();
   in.h3 = in.h0;
   EXPECT_EQ(found(in), "h3");
+  in.h3 = 1.2 * in.h0;
+  EXPECT_EQ(found(in), "h3");
   in = hardening();
   in.h1 = 90 * degree;
   EXPECT_EQ(found(in), "h1");

@@ -114,10 +114,64 @@ TEST(DeviceRuns, body_forces_and_tractions) {
   expect_same_run(setup, drift);
 }
 
-/// Saved and loaded, the emulated run goes on bit for bit: its sums have a fixed order.
-TEST(DeviceRuns, restart_is_bitwise) {
+/// Presses on four particles of each of the bodies, and pulls at four of the first.
+void add_loads(SimulationSetup& setup) {
+  for (int k = 0; k < 3; ++k) {
+    TractionSetup load;
+    load.body = k % 2;
+    load.spec.name = "load" + std::to_string(k);
+    if (k < 2) load.spec.pressure.text = "2000*t*(1+x)";
+    if (k == 2) {
+      for (Formula& component : load.spec.value) component.text = "50*X-y";
+    }
+    for (std::int64_t p = 0; p < 4; ++p) {
+      load.patch.particle.push_back(3 * p);
+      load.patch.area_vector.insert(load.patch.area_vector.end(), {0.05, 0.01 * double(k), 0});
+      load.patch.area.push_back(0.05);
+    }
+    setup.tractions.push_back(load);
+  }
+}
+
+TEST(DeviceRuns, tractions) {
+  for (const int dimension : {2, 3}) {
+    if (slow_build && dimension == 3) continue;
+    SimulationSetup setup = two_spheres(dimension);
+    add_loads(setup);
+    expect_same_run(setup, drift);
+  }
+}
+
+/// Loaded particles are gone after some of these steps.
+TEST(DeviceRuns, loaded_particles_leave) {
   SimulationSetup setup = two_spheres(2);
-  setup.faces[1][0] = FaceType::slip;
+  setup.faces[0] = {FaceType::open, FaceType::open};
+  for (BodySetup& body : setup.bodies) set_velocity(body, Vector(5, 0.3, 0));
+  setup.schedule = Schedule(0.1, 0.02, 0, 0);
+  add_loads(setup);
+  expect_same_run(setup, drift);
+}
+
+/// A step brings the rows of loaded particles, 3 D + D^2 numbers each, and not all particles.
+TEST(DeviceRuns, loads_copy_the_loaded_particles_alone) {
+  constexpr int steps = 5;
+  std::int64_t bytes[2];
+  for (const bool loaded : {false, true}) {
+    SimulationSetup setup = two_spheres(2);
+    setup.path = PathType::split;
+    set_steps(setup, steps, 1e-5);
+    if (loaded) add_loads(setup);
+    const auto simulation = emulate(setup);
+    const std::int64_t before = emulation::downloaded();
+    for (int i = 0; i < steps; ++i) simulation->step();
+    bytes[loaded] = emulation::downloaded() - before;
+  }
+  constexpr std::int64_t particles = 8;  // four of each body
+  EXPECT_EQ(bytes[1] - bytes[0], steps * particles * (3 * 2 + 4) * std::int64_t(sizeof(double)));
+}
+
+/// Saved and loaded, the emulated run goes on bit for bit: its sums have a fixed order.
+void expect_bitwise_restart(const SimulationSetup& setup) {
   const auto whole = emulate(setup);
   MemoryArchive middle;
   bool saved = false;
@@ -136,6 +190,14 @@ TEST(DeviceRuns, restart_is_bitwise) {
   whole->save(a);
   rest->save(b);
   EXPECT_TRUE(a == b);
+}
+
+TEST(DeviceRuns, restart_is_bitwise) {
+  SimulationSetup setup = two_spheres(2);
+  setup.faces[1][0] = FaceType::slip;
+  expect_bitwise_restart(setup);
+  add_loads(setup);
+  expect_bitwise_restart(setup);
 }
 
 MemoryArchive end_in_order(const SimulationSetup& setup, emulation::Order order) {

@@ -57,6 +57,13 @@ TEST_P(Steps, walls_of_all_kinds) {
     setup.faces[0][0] = FaceType::sticky;
     setup.damping = DampingType::none;
     expect_same_run(setup, tolerance(method));
+    setup.no_slip = NoSlip::face;
+    expect_same_run(setup, tolerance(method));
+    if (method.path == PathType::split) setup.damping = DampingType::local;
+    setup.faces[0] = {FaceType::friction, FaceType::sticky};
+    setup.faces[1] = {FaceType::periodic, FaceType::periodic};
+    setup.face_friction[0][0] = 0.2;
+    expect_same_run(setup, tolerance(method));
   }
 }
 

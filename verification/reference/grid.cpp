@@ -28,7 +28,8 @@ Node Grid::mirrored(const Node& node, const Face& face) const {
 }
 
 Vector Grid::reflection(const Face& face) {
-  Vector diagonal = face.rule == FaceRule::sticky ? Vector(Vector::Zero()) : Vector(Vector::Ones());
+  const double along = face.rule == FaceRule::sticky ? 0 : face.rule == FaceRule::odd ? -1 : 1;
+  Vector diagonal = Vector::Constant(along);
   diagonal[face.axis] = -1;
   return diagonal;
 }
@@ -57,7 +58,7 @@ void Grid::fold(const Face& face) {
 
 void Grid::update(double dt, const Vector& gravity, const std::vector<Face>& faces) {
   for (auto& [node, value] : nodes_) value.force += value.mass * gravity;
-  for (const FaceRule rule : {FaceRule::mirror, FaceRule::sticky})
+  for (const FaceRule rule : {FaceRule::mirror, FaceRule::sticky, FaceRule::odd})
     for (const Face& face : faces)
       if (face.rule == rule) fold(face);
   for (auto& [node, value] : nodes_) {
@@ -66,7 +67,7 @@ void Grid::update(double dt, const Vector& gravity, const std::vector<Face>& fac
     value.velocity = value.velocity_before + dt * value.force / value.mass;
     for (const Face& face : faces) {
       if (!on_plane(node, face)) continue;
-      Vector keep = reflection(face);  // 1 along a mirror, 0 along a held wall
+      Vector keep = reflection(face).cwiseMax(0);  // 1 along a mirror, 0 along a held wall
       keep[face.axis] = 0;
       value.velocity = value.velocity.cwiseProduct(keep);
       value.velocity_before = value.velocity_before.cwiseProduct(keep);

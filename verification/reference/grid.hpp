@@ -18,13 +18,13 @@ struct GridNode {
   Vector velocity_before = Vector::Zero();  ///< m/s, before forces and faces
 };
 
-enum class FaceRule { sticky, mirror };
+enum class FaceRule { sticky, mirror, odd };
 
 /// A plane face normal to `axis`: the material is above the coordinate (lower face) or below it
 /// (upper face). The coordinate [m] is a multiple of half a cell. A ghost node behind the plane
 /// moves with R times the velocity of its mirror node. mirror: R = diag(-1 normal, 1 tangential),
 /// exact symmetry. sticky: R = diag(-1 normal, 0 tangential), and the ghost's tangential momentum
-/// is lost.
+/// is lost. odd: R = -1, a held wall with no slip on the plane itself.
 struct Face {
   int axis;
   bool upper;

@@ -23,7 +23,9 @@ void add_face(reference::Settings& settings, const SimulationSetup& setup, int a
   face.axis = axis;
   face.upper = side == 1;
   face.coordinate = side == 1 ? setup.cells[axis] * setup.cell_size : 0.0;
-  face.rule = type == FaceType::sticky ? reference::FaceRule::sticky : reference::FaceRule::mirror;
+  face.rule = type != FaceType::sticky        ? reference::FaceRule::mirror
+              : setup.no_slip == NoSlip::face ? reference::FaceRule::odd
+                                              : reference::FaceRule::sticky;
   settings.faces.push_back(face);
 }
 

@@ -46,8 +46,10 @@ struct Difference {
   double x, v, F;
 };
 
-Difference difference_after(int steps, int dimension, const Method& method) {
+Difference difference_after(int steps, int dimension, const Method& method,
+                            NoSlip no_slip = NoSlip::node) {
   SimulationSetup setup = random_scene(dimension, method);
+  setup.no_slip = no_slip;
   const double dt = 5e-4;
   set_steps(setup, steps, dt);
   const Twin twin = reference_twin(setup);
@@ -74,6 +76,15 @@ TEST_P(AgainstReference, one_step) {
   }
 }
 
+TEST_P(AgainstReference, one_step_held_at_the_face) {
+  for (int dimension : {2, 3}) {
+    const Difference d = difference_after(1, dimension, GetParam(), NoSlip::face);
+    EXPECT_LT(d.x, 1e-15) << dimension;  // as above
+    EXPECT_LT(d.v, 1e-12) << dimension;
+    EXPECT_LT(d.F, 1e-12) << dimension;
+  }
+}
+
 TEST_P(AgainstReference, forty_steps) {
   for (int dimension : {2, 3}) {
     const Difference d = difference_after(effort(40), dimension, GetParam());
@@ -81,6 +92,10 @@ TEST_P(AgainstReference, forty_steps) {
     EXPECT_LT(d.v, 1e-10) << dimension;
     EXPECT_LT(d.F, 1e-10) << dimension;
   }
+  const Difference d = difference_after(effort(40), 2, GetParam(), NoSlip::face);
+  EXPECT_LT(d.x, 1e-12);
+  EXPECT_LT(d.v, 1e-10);
+  EXPECT_LT(d.F, 1e-10);
 }
 
 /// Sand and a viscous fluid in a corner.

@@ -265,7 +265,7 @@ TYPED_TEST(CpuGroupTest, AffineTransfersAreTheSumOverTheLattices) {
 using Plain = CpuGroup<2, double, Compact>;
 using V = Plain::V;
 
-/// 11 particles: a full batch of 8 and one with 3, ids 0 .. 10; the id picks the lanes.
+/// 11 particles: full batches and one that is not, ids 0 .. 10; the id picks the lanes.
 struct CpuGroupResult : ::testing::Test {
   BlockScene<2, double> scene{Compact::lattices, {11}, 5};
   PassData<2, double> data = scene.data();
@@ -344,7 +344,10 @@ void expect_transposed() {
   }
   Transpose::to_lanes(records, back);
   for (int i = 0; i < count; ++i) EXPECT_EQ(back[i], quantities[i]);
-  Transpose::to_quads(quantities, records);
+  using V = RegisterLanes<T>;
+  V quad[4];
+  for (int q = 0; q < 4; ++q) quad[q] = load<V>(quantities + q * width);
+  Transpose::to_quads(quad[0], quad[1], quad[2], quad[3], records);
   for (int l = 0; l < width; ++l) {
     for (int q = 0; q < 4; ++q) {
       EXPECT_EQ(records[Transpose::quad_place(l) + q], T(100 * q + l)) << "lane " << l;

@@ -12,7 +12,12 @@ const std::vector<BrokenDeck> cases{
     {24, R"~(z_min = "slip")~",
      R"~(deck.toml:24:9: boundary.z_min = "slip": is not available with domain.dimension = 2; remove it, or set domain.dimension = 3)~"},
     {24, R"~(xmin = "slip")~",
-     R"~(deck.toml:24:1: boundary.xmin = "slip": unknown key; allowed: x_min, x_max, y_min, y_max; did you mean "x_min"?)~"},
+     R"~(deck.toml:24:1: boundary.xmin = "slip": unknown key; allowed: x_min, x_max, y_min, y_max, no_slip; did you mean "x_min"?)~"},
+    {24, R"~(no_slip = "faces")~",
+     R"~(deck.toml:24:11: boundary.no_slip = "faces": unknown name; allowed: node, face; did you mean "face"?)~"},
+    {25, R"~(y_min = "slip"
+no_slip = "face")~",
+     R"~(deck.toml:26:11: boundary.no_slip = "face": no_slip concerns sticky and friction faces, and there is none; delete no_slip, or make a face "sticky" or one with friction)~"},
     {24, R"~(x_min = "frictin")~",
      R"~(deck.toml:24:9: boundary.x_min.type = "frictin": unknown name; allowed: sticky, slip, separate, friction, open, periodic, symmetry; did you mean "friction"?)~"},
     {24, R"~(x_min = "absorbing")~",

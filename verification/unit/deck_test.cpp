@@ -96,6 +96,7 @@ y_min = { type = "friction", coefficient = 0.3 }
 y_max = "symmetry"
 z_min = "sticky"
 z_max = "open"
+no_slip = "face"
 [collider.plate]
 shape = { type = "plane", point = [0, 0, 0.19], normal = [0, 0, -2] }
 velocity = [0, 0, "-0.01*t"]
@@ -121,6 +122,7 @@ TEST(Deck, FillsTheDocumentedDefaults) {
   EXPECT_EQ(deck.bodies[0].particles_per_direction, 3);
   EXPECT_EQ(deck.bodies[0].velocity[0].text, "0.0");
   EXPECT_EQ(deck.boundary.x_max.type, FaceType::open);
+  EXPECT_EQ(deck.boundary.no_slip, NoSlip::node);
   EXPECT_EQ(deck.history.every, deck.output.every);
   EXPECT_FALSE(deck.checkpoint.every);
   EXPECT_EQ(deck.output.precision, FramePrecision::single_);

@@ -9,39 +9,10 @@
 #include <random>
 #include <utility>
 
-namespace scree {
+#include "verification/support/wall_pair.hpp"
+
+namespace scree::testing {
 namespace {
-
-using Node = NodeMomentum<double>;
-constexpr double rounding = 1e-14;  // masses and momenta of about 1
-
-const FaceType walls[] = {FaceType::sticky, FaceType::slip, FaceType::symmetry, FaceType::separate,
-                          FaceType::friction};
-
-Node random_node(std::mt19937& random) {
-  std::uniform_real_distribution<double> mass(0.01, 1), speed(-1, 1);
-  Node node{mass(random), {}};
-  for (int a = 0; a < 3; ++a) node.momentum[a] = node.mass * speed(random);
-  return node;
-}
-
-double energy(double mass, const Vec3<double>& v) { return 0.5 * mass * dot(v, v); }
-
-struct Outcome {
-  Vec3<double> real, ghost, impulse;
-  bool folded;
-};
-
-/// The velocities after one wall.
-Outcome apply(FaceType type, double mu, int axis, int outward, Node real, Node ghost) {
-  Outcome result;
-  result.impulse = fold_pair<double, 3>(type, mu, axis, outward, real, ghost);
-  result.folded = ghost.mass == 0;
-  result.real = node_velocity<double, 3>(real);
-  result.ghost = result.folded ? mirror_velocity<double, 3>(type, axis, result.real)
-                               : node_velocity<double, 3>(ghost);
-  return result;
-}
 
 TEST(Faces, MirrorNodes) {
   // Nodes at i dx about a wall at 3 dx: 2 <-> 4, 3 its own; nodes at (i + 1/2) dx: 2 <-> 3.
@@ -56,10 +27,10 @@ TEST(Faces, MirrorNodes) {
 TEST(Faces, ImpulseIsTheMomentumLostAndEnergyNeverGrows) {
   std::mt19937 random(1);
   for (FaceType type : walls)
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 600; ++i) {
       const int axis = i % 3, outward = i % 2 ? 1 : -1;
       const Node real = random_node(random), ghost = random_node(random);
-      const Outcome after = apply(type, 0.4, axis, outward, real, ghost);
+      const Outcome after = apply(type, 0.4, axis, outward, real, ghost, rules[i % 4 / 2]);
       for (int a = 0; a < 3; ++a)
         EXPECT_NEAR(real.momentum[a] + ghost.momentum[a] - real.mass * after.real[a] -
                         ghost.mass * after.ghost[a],
@@ -87,15 +58,16 @@ TEST(Faces, FoldingIsTheNearestVelocityThatObeysTheWall) {
   std::mt19937 random(3);
   std::normal_distribution<double> step(0, 0.1);
   for (FaceType type : {FaceType::slip, FaceType::symmetry, FaceType::sticky})
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 200; ++i) {
+      const NoSlip rule = rules[i % 2];
       const Node real = random_node(random), ghost = random_node(random);
       const Vec3<double> free_real = node_velocity<double, 3>(real);
       const Vec3<double> free_ghost = node_velocity<double, 3>(ghost);
       const auto distance = [&](const Vec3<double>& v) {
         return energy(real.mass, v - free_real) +
-               energy(ghost.mass, mirror_velocity<double, 3>(type, 1, v) - free_ghost);
+               energy(ghost.mass, mirror_velocity<double, 3>(type, rule, 1, v) - free_ghost);
       };
-      const Outcome after = apply(type, 0, 1, 1, real, ghost);
+      const Outcome after = apply(type, 0, 1, 1, real, ghost, rule);
       const Vec3<double> other =
           after.real + Vec3<double>{{step(random), step(random), step(random)}};
       EXPECT_LT(distance(after.real), distance(other));
@@ -171,28 +143,30 @@ TEST(Faces, NodesOnTheWall) {
 TEST(Faces, NodesWithoutMass) {
   std::mt19937 random(6);
   const Node empty{0, {}}, full = random_node(random);
-  for (FaceType type : walls) {
-    const Outcome none = apply(type, 0.3, 0, 1, empty, empty);
-    for (int a = 0; a < 3; ++a) EXPECT_EQ(none.real[a], 0);
-    const Outcome one = apply(type, 0.3, 0, 1, full, empty);
-    for (int a = 0; a < 3; ++a) {
-      EXPECT_DOUBLE_EQ(one.real[a], full.momentum[a] / full.mass);
-      EXPECT_EQ(one.impulse[a], 0);
+  for (FaceType type : walls)
+    for (NoSlip rule : rules) {
+      const Outcome none = apply(type, 0.3, 0, 1, empty, empty, rule);
+      for (int a = 0; a < 3; ++a) EXPECT_EQ(none.real[a], 0);
+      const Outcome one = apply(type, 0.3, 0, 1, full, empty, rule);
+      for (int a = 0; a < 3; ++a) {
+        EXPECT_DOUBLE_EQ(one.real[a], full.momentum[a] / full.mass);
+        EXPECT_EQ(one.impulse[a], 0);
+      }
+      const Outcome other = apply(type, 0.3, 0, 1, empty, full, rule);
+      for (int a = 0; a < 3; ++a) {
+        // Nothing holds the normal motion.
+        const bool stopped = type == FaceType::sticky && rule == NoSlip::node && a != 0;
+        EXPECT_DOUBLE_EQ(other.ghost[a], stopped ? 0 : full.momentum[a] / full.mass);
+        EXPECT_EQ(other.impulse[a], stopped ? full.momentum[a] : 0);
+      }
+      Node plane = empty;
+      plane_node<double, 3>(type, 0.3, 0, 1, plane);
+      for (int a = 0; a < 3; ++a) EXPECT_EQ((node_velocity<double, 3>(plane)[a]), 0);
     }
-    const Outcome other = apply(type, 0.3, 0, 1, empty, full);
-    for (int a = 0; a < 3; ++a) {
-      const bool stopped = type == FaceType::sticky && a != 0;  // nothing holds the normal motion
-      EXPECT_DOUBLE_EQ(other.ghost[a], stopped ? 0 : full.momentum[a] / full.mass);
-      EXPECT_EQ(other.impulse[a], stopped ? full.momentum[a] : 0);
-    }
-    Node plane = empty;
-    plane_node<double, 3>(type, 0.3, 0, 1, plane);
-    for (int a = 0; a < 3; ++a) EXPECT_EQ((node_velocity<double, 3>(plane)[a]), 0);
-  }
 }
 
-// A held wall stops the ghost along the wall, leaves the real node's tangential velocity alone and
-// mirrors the normal one as slip does.
+// The rule of nodes: a held wall stops the ghost along the wall, leaves the real node's tangential
+// velocity alone and mirrors the normal one as slip does.
 TEST(Faces, AHeldWallStopsTheGhostAlongTheWall) {
   std::mt19937 random(12);
   for (int i = 0; i < 100; ++i) {
@@ -213,7 +187,7 @@ TEST(Faces, OpenAndPeriodicFacesDoNothing) {
   std::mt19937 random(7);
   for (FaceType type : {FaceType::open, FaceType::periodic}) {
     const Node real = random_node(random), ghost = random_node(random);
-    const Outcome after = apply(type, 1, 2, 1, real, ghost);
+    const Outcome after = apply(type, 1, 2, 1, real, ghost, NoSlip::face);
     for (int a = 0; a < 3; ++a) {
       EXPECT_EQ(after.real[a], real.momentum[a] / real.mass);
       EXPECT_EQ(after.ghost[a], ghost.momentum[a] / ghost.mass);
@@ -252,7 +226,7 @@ void scatter(Lattice& lattice, int half, const Particle& p) {
 Particle image(const Particle& p, FaceType type, int axis) {
   Particle q = p;
   q.x[axis] = -q.x[axis];
-  q.v = mirror_velocity<double, 2>(type, axis, p.v);
+  q.v = mirror_velocity<double, 2>(type, NoSlip::face, axis, p.v);
   return q;
 }
 
@@ -265,17 +239,18 @@ void fold(Lattice& lattice, int half, FaceType type, int axis) {
     if (other == key) {
       plane_node<double, 2>(type, 0, axis, -1, node);
     } else if (key < other && lattice.count(other)) {
-      fold_pair<double, 2>(type, 0, axis, -1, lattice.at(other), node);
+      fold_pair<double, 2>(type, NoSlip::face, 0, axis, -1, lattice.at(other), node);
     }
   }
 }
 
 // Particles near the corner x > 0, y > 0, walls at x = 0 and y = 0: folding gives the velocities of
-// a computation without walls in which all four images of the body are present. G- nodes (half 0)
-// lie on the walls, G+ nodes (half 1) lie half a cell off.
+// a computation without walls in which all four images of the body are present, those beyond a held
+// wall (rule of faces) with their velocities turned around. G- nodes (half 0) lie on the walls, G+
+// nodes (half 1) lie half a cell off.
 TEST(Faces, ACornerEqualsTheBodyWithItsImages) {
-  for (FaceType first : {FaceType::slip, FaceType::symmetry})
-    for (FaceType second : {FaceType::slip, FaceType::symmetry})
+  for (FaceType first : {FaceType::slip, FaceType::symmetry, FaceType::sticky})
+    for (FaceType second : {FaceType::slip, FaceType::symmetry, FaceType::sticky})
       for (int half : {0, 1}) {
         std::mt19937 random(8);
         std::uniform_real_distribution<double> place(0, 1.6), speed(-1, 1);
@@ -321,12 +296,14 @@ TEST(Faces, UnfoldingInReverseOrderObeysBothWalls) {
       mass[i][j] = n[i][j].mass;
       before += energy(mass[i][j], node_velocity<double, 3>(n[i][j]));
     }
-  for (int j = 0; j < 2; ++j) fold_pair<double, 2>(FaceType::slip, 0, 0, -1, n[1][j], n[0][j]);
-  for (int i = 0; i < 2; ++i) fold_pair<double, 2>(FaceType::slip, 0, 1, -1, n[i][1], n[i][0]);
+  constexpr NoSlip rule = NoSlip::node;
+  constexpr FaceType slip = FaceType::slip;
+  for (int j = 0; j < 2; ++j) fold_pair<double, 2>(slip, rule, 0, 0, -1, n[1][j], n[0][j]);
+  for (int i = 0; i < 2; ++i) fold_pair<double, 2>(slip, rule, 0, 1, -1, n[i][1], n[i][0]);
   Vec3<double> v[2][2];
   v[1][1] = node_velocity<double, 2>(n[1][1]);
-  v[1][0] = mirror_velocity<double, 2>(FaceType::slip, 1, v[1][1]);
-  for (int j = 0; j < 2; ++j) v[0][j] = mirror_velocity<double, 2>(FaceType::slip, 0, v[1][j]);
+  v[1][0] = mirror_velocity<double, 2>(slip, rule, 1, v[1][1]);
+  for (int j = 0; j < 2; ++j) v[0][j] = mirror_velocity<double, 2>(slip, rule, 0, v[1][j]);
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       EXPECT_EQ(v[i][j][0], (i == 1 ? 1 : -1) * v[1][1][0]);
@@ -337,4 +314,4 @@ TEST(Faces, UnfoldingInReverseOrderObeysBothWalls) {
 }
 
 }  // namespace
-}  // namespace scree
+}  // namespace scree::testing

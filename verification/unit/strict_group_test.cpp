@@ -21,7 +21,7 @@ using V = Strict::V;
 using Batch = Strict::Batch;
 using Point = Compact::Point<V, 2>;
 
-/// 43 particles: five full batches of 8 and one with 3.
+/// 43 particles: full batches and one that is not.
 struct Defects : ::testing::Test {
   BlockScene<2, double> scene{Compact::lattices, {43}, 7};
   PassData<2, double> data = scene.data();
