@@ -180,7 +180,9 @@ std::vector<Chart> charts_of(const Report& report, const Line& line, const Run& 
 int run_profile(const ProfileOptions& options) {
   const Run run(options.run);
   check_targets(options.output, run);
-  const auto wanted = quantities(options.fields, run.fields(), run.dimension());
+  const auto wanted = options.fields.empty()
+                          ? default_quantities(run.fields(), run.dimension())
+                          : quantities(options.fields, run.fields(), run.dimension());
   const std::vector<std::size_t> frames = chosen_frames(run.frames(), options.time);
   Report report;
   report.command = "profile";
@@ -222,9 +224,10 @@ std::function<int(const PostWords&)> declare(OptionSet& set) {
   const auto shared = std::make_shared<ProfileOptions>();
   ProfileOptions& options = *shared;
   set.positional("run", options.run, "RUN", "Run folder");
-  set.texts("--field,--fields", options.fields, "F,F,...",
-            "Fields or components: pressure, stress.yy, velocity.magnitude, stress.p, ...", 1, 1000,
-            true);
+  set.texts(
+      "--field,--fields", options.fields, "F,F,...",
+      "Fields or components: pressure, stress.yy, velocity.magnitude, stress.p, ... (default: "
+      "speed and mean pressure)");
   set.texts("--from", options.from, "X Y [Z]", "Start of the line (default: the lowest particles)",
             2, 3);
   set.texts("--to", options.to, "X Y [Z]", "End of the line (default: the highest particles)", 2,

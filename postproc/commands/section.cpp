@@ -173,7 +173,9 @@ void add_rows(Report& report, const Slab& slab, const Cells& cells, std::size_t 
 int run_section(const SectionOptions& options) {
   const Run run(options.run);
   check_targets(options.output, run);
-  const auto wanted = quantities(options.fields, run.fields(), run.dimension());
+  const auto wanted = options.fields.empty()
+                          ? default_quantities(run.fields(), run.dimension())
+                          : quantities(options.fields, run.fields(), run.dimension());
   const std::size_t index = chosen_frames(run.frames(), options.time).front();
   const WeightedFrame frame = read_weighted(run, index, needed_fields(wanted));
   if (frame.count() == 0) throw UserError("the frame holds no particles");
@@ -211,7 +213,7 @@ std::function<int(const PostWords&)> declare(OptionSet& set) {
   SectionOptions& options = *shared;
   set.positional("run", options.run, "RUN", "Run folder");
   set.texts("--field,--fields", options.fields, "F,F,...",
-            "Fields or components; the plot shows the first", 1, 1000, true);
+            "Fields or components; the plot shows the first (default: speed and mean pressure)");
   set.text("--normal", options.normal, "x|y|z",
            "Of the plane, in three dimensions (default: a horizontal axis)");
   set.text("--position", options.position, "X",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "postproc/commands/command.hpp"
 #include "postproc/commands/options.hpp"
@@ -18,50 +19,89 @@ namespace scree {
 namespace {
 
 struct SlipOptions {
-  std::string run, field = "equivalent_plastic_strain", spacing;
+  std::string run, field, spacing;
   double threshold = 0;
   int least = 5;
   TimeOptions time;
   OutputOptions output;
 };
 
-/// Cells above the threshold in their colours, the others at its low end; runs in 2D.
-void draw(const SlipOptions& options, const Run& run, const CellField& field, double threshold,
-          const ParticleQuantity& quantity, double time) {
-  if (options.output.plot.empty()) return;
-  if (run.dimension() == 3) {
-    throw UserError("--plot of slip needs a run in two dimensions; in three take section");
-  }
-  HeatMap map;
-  std::array<long, 2> low{field.cells[0].at[0], field.cells[0].at[1]}, high = low;
+/// What the picture looks at: along the third axis in 2D, in 3D along the shorter horizontal one.
+struct View {
+  std::size_t across = 0, upward = 1, along = 2;
+};
+
+/// First and last index of the cells on each axis.
+struct CellRange {
+  std::array<long, 3> low, high;
+};
+
+CellRange range_of(const CellField& field) {
+  CellRange range{field.cells[0].at, field.cells[0].at};
   for (const CellField::Cell& cell : field.cells) {
-    for (std::size_t a = 0; a < 2; ++a) {
-      low[a] = std::min(low[a], cell.at[a]);
-      high[a] = std::max(high[a], cell.at[a]);
+    for (std::size_t a = 0; a < 3; ++a) {
+      range.low[a] = std::min(range.low[a], cell.at[a]);
+      range.high[a] = std::max(range.high[a], cell.at[a]);
     }
-    map.high = std::max(map.high, cell.mean);
   }
-  map.low = threshold;
-  map.columns = static_cast<std::size_t>(high[0] - low[0] + 1);
-  map.rows = static_cast<std::size_t>(high[1] - low[1] + 1);
+  return range;
+}
+
+View view_of(const Run& run, const CellRange& range) {
+  View view;
+  if (run.dimension() == 2) return view;
+  view.upward = static_cast<std::size_t>(run.up().axis);
+  view.across = view.upward == 0 ? 1 : 0;
+  view.along = 3 - view.upward - view.across;
+  const auto extent = [&](std::size_t axis) { return range.high[axis] - range.low[axis]; };
+  if (extent(view.along) > extent(view.across)) std::swap(view.across, view.along);
+  return view;
+}
+
+/// Cells above the threshold in their colours, the others at its low end; in 3D the largest strain
+/// of those behind each other.
+HeatMap map_of(const Run& run, const CellField& field, const CellRange& range, const View& view,
+               double threshold) {
+  HeatMap map;
+  map.low = map.high = threshold;
+  const auto width = [&](std::size_t axis) {
+    return static_cast<std::size_t>(range.high[axis] - range.low[axis] + 1);
+  };
+  map.columns = width(view.across);
+  map.rows = width(view.upward);
   map.values.assign(map.columns * map.rows, std::numeric_limits<double>::quiet_NaN());
   for (const CellField::Cell& cell : field.cells) {
-    map.values[static_cast<std::size_t>(cell.at[1] - low[1]) * map.columns +
-               static_cast<std::size_t>(cell.at[0] - low[0])] = std::max(cell.mean, threshold);
+    const auto column = static_cast<std::size_t>(cell.at[view.across] - range.low[view.across]);
+    const auto row = static_cast<std::size_t>(cell.at[view.upward] - range.low[view.upward]);
+    double& value = map.values[row * map.columns + column];
+    value = std::fmax(std::max(cell.mean, threshold), value);
+    map.high = std::max(map.high, cell.mean);
   }
   const auto edge = [&](std::size_t axis, long index) {
     return run.lower()[axis] + field.spacing * static_cast<double>(index);
   };
-  map.x_low = edge(0, low[0]);
-  map.x_high = edge(0, high[0] + 1);
-  map.y_low = edge(1, low[1]);
-  map.y_high = edge(1, high[1] + 1);
-  map.x_label = "x (m)";
-  map.y_label = "y (m)";
+  map.x_low = edge(view.across, range.low[view.across]);
+  map.x_high = edge(view.across, range.high[view.across] + 1);
+  map.y_low = edge(view.upward, range.low[view.upward]);
+  map.y_high = edge(view.upward, range.high[view.upward] + 1);
+  map.x_label = fmt::format("{} (m)", "xyz"[view.across]);
+  map.y_label = fmt::format("{} (m)", "xyz"[view.upward]);
   map.value_label = "Strain";
+  return map;
+}
+
+void draw(const SlipOptions& options, const Run& run, const CellField& field, double threshold,
+          const ParticleQuantity& quantity, double time) {
+  if (options.output.plot.empty()) return;
+  const CellRange range = range_of(field);
+  const View view = view_of(run, range);
+  HeatMap map = map_of(run, field, range, view, threshold);
   map.title = run.title();
   map.subtitle =
       fmt::format("{} above {:.4g}, {}", axis_label(quantity.name, ""), threshold, time_text(time));
+  if (run.dimension() == 3) {
+    map.subtitle += fmt::format(", largest along {}", "xyz"[view.along]);
+  }
   write_heat_map(options.output.plot, "scree post slip", map);
 }
 
@@ -96,14 +136,30 @@ std::vector<Fact> facts_of(const std::vector<ShearBand>& bands, double threshold
   return facts;
 }
 
+/// The strain that was asked for, or the plastic one that the frames hold.
+ParticleQuantity strain_of(const SlipOptions& options, const Run& run) {
+  std::string field = options.field;
+  for (const FieldInfo& info : run.fields()) {
+    if (!field.empty()) break;
+    const bool plastic =
+        info.name == "equivalent_plastic_strain" || info.name == "equivalent_plastic_shear_strain";
+    if (plastic) field = info.name;
+  }
+  if (field.empty()) {
+    throw UserError(
+        "the frames hold no plastic strain; ask for equivalent_plastic_shear_strain in "
+        "output.fields, or name another strain with --field");
+  }
+  const auto wanted = quantities(field, run.fields(), run.dimension());
+  if (wanted.size() == 1) return wanted[0];
+  throw UserError("--field " + field + " has several components; name one, e.g. " +
+                  wanted.front().name);
+}
+
 int run_slip(const SlipOptions& options) {
   const Run run(options.run);
   check_targets(options.output, run);
-  const auto wanted = quantities(options.field, run.fields(), run.dimension());
-  if (wanted.size() != 1) {
-    throw UserError("--field " + options.field + " has several components; name one, e.g. " +
-                    wanted.front().name);
-  }
+  const ParticleQuantity strain = strain_of(options, run);
   const double spacing = options.spacing.empty()
                              ? run.cell_size()
                              : parse_value("--spacing", options.spacing, Unit::length);
@@ -115,16 +171,16 @@ int run_slip(const SlipOptions& options) {
   report.columns = band_columns();
   FrameProgress progress("frame", frames.size(), options.output.quiet);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const WeightedFrame frame = read_weighted(run, frames[i], needed_fields(wanted));
+    const WeightedFrame frame = read_weighted(run, frames[i], needed_fields({strain}));
     if (frame.count() == 0) throw UserError("the frame holds no particles");
     const double time = frame.particles.time;
-    const CellField field = cell_field(run, frame, values_of(wanted[0], frame.particles), spacing);
+    const CellField field = cell_field(run, frame, values_of(strain, frame.particles), spacing);
     const double threshold = options.threshold > 0 ? options.threshold : default_threshold(field);
     const auto bands = shear_bands(run, field, threshold, std::size_t(options.least));
     add_rows(report, bands, time);
     if (i + 1 == frames.size()) {
       report.facts = facts_of(bands, threshold, time);
-      draw(options, run, field, threshold, wanted[0], time);
+      draw(options, run, field, threshold, strain, time);
     }
     progress.done(i + 1);
   }
@@ -138,8 +194,7 @@ std::function<int(const PostWords&)> declare(OptionSet& set) {
   const auto shared = std::make_shared<SlipOptions>();
   SlipOptions& options = *shared;
   set.positional("run", options.run, "RUN", "Run folder");
-  set.text("--field", options.field, "F",
-           "Strain that shows the bands (default: equivalent_plastic_strain)");
+  set.text("--field", options.field, "F", "Strain that shows the bands (default: the plastic one)");
   set.number("--threshold", options.threshold, 0, 1e6, "S",
              "Of the strain (default: half of what 99 % of the cells stay below)");
   set.text("--spacing", options.spacing, "H", "Of the cells (default: the cell size)");

@@ -131,6 +131,24 @@ std::vector<ParticleQuantity> quantities(const std::vector<std::string>& words,
   return result;
 }
 
+std::vector<ParticleQuantity> default_quantities(const std::vector<FieldInfo>& fields,
+                                                 int dimension) {
+  const auto has = [&](const std::string& name) {
+    return std::any_of(fields.begin(), fields.end(),
+                       [&](const FieldInfo& field) { return field.name == name; });
+  };
+  std::vector<std::string> words;
+  if (has("velocity")) words.push_back("velocity.magnitude");
+  for (const auto& [field, word] : {std::pair{"pressure", "pressure"}, {"stress", "stress.p"}}) {
+    if (!has(field)) continue;
+    words.push_back(word);
+    break;
+  }
+  if (words.empty() && !fields.empty()) words.push_back(fields.front().name);
+  if (words.empty()) throw UserError("the frames hold no fields; ask for some in output.fields");
+  return quantities(words, fields, dimension);
+}
+
 std::vector<std::string> needed_fields(const std::vector<ParticleQuantity>& quantities) {
   std::vector<std::string> result;
   for (const ParticleQuantity& quantity : quantities) {
@@ -163,6 +181,13 @@ std::string unit_of_field(const std::string& name) {
       {"pressure", "Pa"},
       {"pore_pressure", "Pa"},
       {"preconsolidation_pressure", "Pa"},
+      {"p", "Pa"},
+      {"q", "Pa"},
+      {"von_mises", "Pa"},
+      {"principal_stress", "Pa"},
+      {"lode_angle", "rad"},
+      {"mobilised_friction", "rad"},
+      {"strain_rate", "1/s"},
       {"mass", "kg"},
       {"volume", "m^3"}};
   for (const auto& [known, unit] : units) {

@@ -29,6 +29,11 @@ std::vector<ParticleQuantity> quantities(const std::string& word,
 std::vector<ParticleQuantity> quantities(const std::vector<std::string>& words,
                                          const std::vector<FieldInfo>& fields, int dimension);
 
+/// What a command takes that was asked for nothing: the speed and the mean pressure, as far as the
+/// frames hold them, else their first field.
+std::vector<ParticleQuantity> default_quantities(const std::vector<FieldInfo>& fields,
+                                                 int dimension);
+
 /// The fields that must be read for these quantities.
 std::vector<std::string> needed_fields(const std::vector<ParticleQuantity>& quantities);
 

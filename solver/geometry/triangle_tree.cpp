@@ -2,7 +2,9 @@
 #include "solver/geometry/triangle_tree.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
 
 #include "solver/geometry/predicates.hpp"
 
@@ -21,6 +23,23 @@ double square_distance(const double x[3], const std::array<double, 3>& lower,
     sum += gap * gap;
   }
   return sum;
+}
+
+using Corners = std::array<const double*, 3>;
+
+/// Turns the corners of a triangle on until the first is alone on its side of the plane of the
+/// other. Returns that side, 1 above and -1 below the triangle, or 0 where no corner is.
+int turn_to_lone_corner(Corners& corners, const Corners& other) {
+  int count[3] = {0, 0, 0}, sides[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    sides[i] = -certain_orientation(other[0], other[1], other[2], corners[i]);
+    ++count[sides[i] + 1];
+  }
+  if (count[0] == 0 || count[2] == 0) return 0;
+  const int lone = count[2] == 1 ? 1 : -1;
+  const auto first = std::find(sides, sides + 3, lone) - sides;
+  std::rotate(corners.begin(), corners.begin() + first, corners.end());
+  return lone;
 }
 
 }  // namespace
@@ -151,28 +170,24 @@ bool TriangleTree::odd_crossings(const double x[3], int axis, std::int32_t witho
   return odd;
 }
 
-/// True if an edge of s goes through the inside of t. Edges that start or end at a corner of t do
-/// not count.
-bool TriangleTree::edge_pierces(const TriangleMesh::Triangle& s,
-                                const TriangleMesh::Triangle& t) const {
-  const auto at = [&](std::int32_t point) { return mesh_.points[std::size_t(point)].data(); };
-  const double *a = at(t[0]), *b = at(t[1]), *c = at(t[2]);
-  for (std::size_t e = 0; e < 3; ++e) {
-    const std::int32_t i = s[e], j = s[(e + 1) % 3];
-    if (std::count(t.begin(), t.end(), i) + std::count(t.begin(), t.end(), j) > 0) continue;
-    const double *p = at(i), *q = at(j);
-    if (certain_orientation(a, b, c, p) * certain_orientation(a, b, c, q) >= 0) continue;
-    const int sign = certain_orientation(p, q, a, b);
-    if (sign != 0 && certain_orientation(p, q, b, c) == sign &&
-        certain_orientation(p, q, c, a) == sign)
-      return true;
-  }
-  return false;
-}
-
+/// True if s and t have a line in common that runs through the inside of both. The planes' line
+/// cuts a chord out of each, between the corner that is alone on its side of the other's plane and
+/// the two others; the chords overlap if each begins before the other ends (Devillers and Guigue,
+/// INRIA RR-4488, 2002). Triangles that share corners or sides, lie in each other's planes or touch
+/// there have no such line.
 bool TriangleTree::pass_through(std::int32_t s, std::int32_t t) const {
-  const auto &first = mesh_.triangles[std::size_t(s)], &second = mesh_.triangles[std::size_t(t)];
-  return edge_pierces(first, second) || edge_pierces(second, first);
+  const auto corners = [this](std::int32_t triangle) {
+    return Corners{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+  };
+  Corners first = corners(s), second = corners(t);
+  const int side_of_first = turn_to_lone_corner(first, second);
+  const int side_of_second = side_of_first == 0 ? 0 : turn_to_lone_corner(second, first);
+  if (side_of_second == 0) return false;
+  // Each lone corner above the other triangle.
+  if (side_of_first < 0) std::swap(second[1], second[2]);
+  if (side_of_second < 0) std::swap(first[1], first[2]);
+  return certain_orientation(first[0], first[1], second[0], second[1]) > 0 &&
+         certain_orientation(first[0], first[2], second[2], second[0]) > 0;
 }
 
 /// A later triangle that passes through this one, or -1.

@@ -64,7 +64,6 @@ class TriangleTree {
   bool crosses_ray(std::int32_t triangle, const double x[3], int axis) const;
   std::int32_t crossed_by(std::int32_t triangle) const;
   bool pass_through(std::int32_t s, std::int32_t t) const;
-  bool edge_pierces(const TriangleMesh::Triangle& s, const TriangleMesh::Triangle& t) const;
   const double* corner(std::int32_t triangle, int i) const {
     return mesh_.points[std::size_t(mesh_.triangles[std::size_t(triangle)][std::size_t(i)])].data();
   }

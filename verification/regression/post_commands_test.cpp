@@ -184,6 +184,51 @@ TEST(PostSlip, ADiagonalBandHasItsLengthAndAngle) {
   EXPECT_NE(read_text(run / "slip.svg").find("</svg>"), std::string::npos);
 }
 
+/// A slab of bands in 3D: the picture looks along the shorter horizontal axis, y; and the plastic
+/// strain that the frames hold is found by itself.
+TEST(PostSlip, ABandInSpaceIsDrawnFromTheSide) {
+  const double h = 0.1;
+  SyntheticRun run(3, {1, 0.4, 1}, h);
+  ParticleSnapshot body = lattice_particles({{0, 0, 0}, {1, 0.4, 1}}, h / 2, 3);
+  add_field(body, "equivalent_plastic_shear_strain",
+            [&](const double* x) { return std::floor(x[0] / h) == 4 ? 1.0 : 0.0; });
+  run.add(body, 0);
+  const Json json = json_of({"slip", run.path(), "--threshold", "0.5", "--plot", run / "slip.svg"});
+  ASSERT_EQ(json["rows"].size(), 1u);
+  EXPECT_EQ(column(json, "cells")[0], 40);
+  EXPECT_NEAR(column(json, "angle")[0], 90, 1e-9);  // a plane x = const
+  const std::string picture = read_text(run / "slip.svg");
+  EXPECT_NE(picture.find("x (m)"), std::string::npos);
+  EXPECT_NE(picture.find("z (m)"), std::string::npos);
+  EXPECT_NE(picture.find("largest along y"), std::string::npos);
+}
+
+TEST(PostSlip, FramesWithoutAStrainAreNamed) {
+  SyntheticRun run(2, {0.8, 0.3, 0}, 0.02);
+  add_column(run);
+  const ProcessResult result = post({"slip", run.path()});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("no plastic strain"), std::string::npos) << result.err;
+}
+
+TEST(PostDefaults, SpeedAndPressureAreTakenWithoutAField) {
+  SyntheticRun run(2, {0.8, 0.3, 0}, 0.02);
+  ParticleSnapshot body = lattice_particles({{0, 0, 0}, {width, height, 0}}, spacing, 2);
+  SnapshotField velocity{"velocity", "m/s", 3, {}};
+  for (std::size_t p = 0; p < body.id.size(); ++p) {
+    velocity.values.insert(velocity.values.end(), {3, -4, 0});
+  }
+  body.fields.push_back(velocity);
+  add_field(body, "pressure", [](const double* x) { return 1000 * 10 * (height - x[1]); });
+  run.add(body, 0);
+  for (const char* command : {"profile", "section"}) {
+    const Json json = json_of({command, run.path()});
+    EXPECT_NEAR(column(json, "velocity.magnitude")[0], 5, 1e-12);
+    EXPECT_GT(column(json, "pressure")[0], 0);
+    EXPECT_EQ(json["units"]["pressure"], "Pa");
+  }
+}
+
 TEST(PostPlots, ChartsAreDrawnInBothFormats) {
   SyntheticRun run(2, {0.8, 0.3, 0}, 0.02);
   add_column(run);

@@ -201,6 +201,17 @@ TEST(MeshSolid, SurfacesThatPassThroughEachOtherAreRefused) {
   const TriangleMesh two =
       joined(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({.5, .4, .3}, {2, 2, 2}));
   EXPECT_TRUE(begins(fault_of(two), "file passes through itself near (")) << fault_of(two);
+  // Here every side of one goes through an edge of the other, the diagonal of a face.
+  const TriangleMesh diagonal =
+      joined(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({.5, .5, .5}, {1.5, 1.5, 1.5}));
+  EXPECT_TRUE(begins(fault_of(diagonal), "file passes through itself near ("))
+      << fault_of(diagonal);
+  // Those that only touch, along an edge, a part of it or at a corner, stay.
+  for (const double z : {0.0, 0.5, 1.0}) {
+    const MeshSolid touching(
+        joined(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({1, 1, z}, {2, 2, z + 1})));
+    EXPECT_NEAR(touching.volume(), 2, 1e-15) << z;
+  }
   // Those that share a face are one solid: the wall between them goes.
   const MeshSolid row(joined(box_mesh({0, 0, 0}, {1, 1, 1}), box_mesh({1, 0, 0}, {2, 1, 1})));
   EXPECT_NEAR(row.volume(), 2, 1e-15);
