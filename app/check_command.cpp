@@ -18,6 +18,7 @@
 #include "solver/base/error.hpp"
 #include "solver/deck/deck.hpp"
 #include "solver/particles/shape.hpp"
+#include "solver/simulation/lone_particle.hpp"
 
 namespace scree {
 namespace {
@@ -132,6 +133,7 @@ struct Prediction {
   int threads = 1;
   std::size_t blocks = 0;
   double first_step = 0;  ///< s
+  double courant = 0;     ///< of the automatic step
   double bytes = 0;
   Measurement measured;
 };
@@ -144,6 +146,7 @@ Prediction predict(const Deck& deck, int threads) {
   result.particles = particles_text(setup);
   result.masses = masses_text(deck, setup);
   result.warnings = deck_warnings(deck, setup);
+  result.courant = courant_number(setup);
   const auto simulation = Simulation::create(std::move(setup));
   check_probes(deck, simulation->particle_count());
   result.blocks = static_cast<std::size_t>(simulation->block_count());
@@ -169,12 +172,19 @@ void print_effort(const Deck& deck, const Prediction& prediction) {
                                      prediction.threads, measured.steps));
 }
 
+std::string first_step_text(const Deck& deck, const Prediction& prediction) {
+  std::string text = fmt::format("{:.4g} s", prediction.first_step);
+  if (deck.time.step) return text + " (fixed)";
+  if (prediction.courant >= deck.time.cfl) return text;
+  return text + fmt::format(" (cfl {:.3g} in place of {:.3g}, or drops of fluid would come apart)",
+                            prediction.courant, deck.time.cfl);
+}
+
 void print(const Deck& deck, const Prediction& prediction) {
   line("particles", prediction.particles);
   line("mass", prediction.masses);
   line("blocks", fmt::format("{} of 4^{} cells", prediction.blocks, deck.domain.dimension));
-  line("first step",
-       fmt::format("{:.4g} s{}", prediction.first_step, deck.time.step ? " (fixed)" : ""));
+  line("first step", first_step_text(deck, prediction));
   for (const std::string& water : coupling_report(deck)) line("pore water", water);
   line("memory", fmt::format("about {}", bytes_text(prediction.bytes)));
   print_effort(deck, prediction);

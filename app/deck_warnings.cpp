@@ -10,6 +10,7 @@
 #include "solver/boundary/collider.hpp"
 #include "solver/particles/shape.hpp"
 #include "solver/particles/shape_volume.hpp"
+#include "solver/simulation/lone_particle.hpp"
 #include "solver/simulation/periods_of.hpp"
 
 namespace scree {
@@ -134,6 +135,13 @@ std::vector<std::string> deck_warnings(const Deck& deck, const SimulationSetup& 
         "of "
         "a node, and particles at the edge of a body that move from cell to cell blow up sooner or "
         "later; use compact or quadratic");
+  }
+  const double courant = courant_number(setup);
+  if (!deck.time.step && deck.time.cfl > TimeSpec{}.cfl && deck.time.cfl > courant) {
+    warnings.push_back(
+        fmt::format("time.cfl = {:.3g}: with fluids it counts as {:.3g}, or drops "
+                    "would come apart",
+                    deck.time.cfl, courant));
   }
   add_overlaps(deck, setup, warnings);
   add_colliders(deck, setup, warnings);

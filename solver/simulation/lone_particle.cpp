@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/simulation/lone_particle.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "materials/registry.hpp"
 
 namespace scree {
 namespace {
@@ -36,6 +39,16 @@ double lone_particle_courant(KernelType kernel, TransferType transfer, int dimen
   const bool remembers = transfer == TransferType::mls || transfer == TransferType::apic;
   const double kick = transfer == TransferType::mls ? moment : slope_sum(kernel, dimension);
   return std::sqrt(2 / (kick - (remembers ? moment / 2 : 0.0)));
+}
+
+double courant_number(const SimulationSetup& setup) {
+  const bool fluid = std::any_of(setup.bodies.begin(), setup.bodies.end(), [](const auto& body) {
+    const MaterialEntry* law = find_material_model(body.model);
+    return law && law->fluid;
+  });
+  if (!fluid) return setup.cfl;
+  const double lone = lone_particle_courant(setup.kernel, setup.transfer, setup.dimension);
+  return std::min(setup.cfl, (setup.dimension == 3 ? 0.71 : 0.89) * lone);
 }
 
 }  // namespace scree

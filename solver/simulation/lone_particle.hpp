@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "solver/simulation/method.hpp"
+#include "solver/simulation/simulation.hpp"
 
 namespace scree {
 
@@ -18,5 +18,11 @@ namespace scree {
 /// mean over the lattices of sum |grad w|^2/w dx^2. Their largest values over all positions:
 /// docs/method.md, section 3.
 double lone_particle_courant(KernelType kernel, TransferType transfer, int dimension);
+
+/// The share of dx/(c + |v|) that a step may have: time.cfl, for fluids bounded by their drops. As
+/// pressures are not linear, large swings need a distance from the bound: in 3D k a < 2, a swing of
+/// more than four steps, below the resonance that the change of the step drives; in the plane,
+/// where spray is rare, a tenth of the bound, with which mls keeps the default.
+double courant_number(const SimulationSetup& setup);
 
 }  // namespace scree

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/registry.hpp"
 #include "solver/base/error.hpp"
 #include "solver/device/device_backend.hpp"
 #include "solver/simulation/cpu_backend.hpp"
@@ -25,20 +24,6 @@ bool can_fuse(const SimulationSetup& setup) {
 
 bool needs_separate_force(const SimulationSetup& setup) {
   return setup.transfer == TransferType::flip || setup.damping == DampingType::local;
-}
-
-/// The share of dx/(c + |v|) that a step may have: time.cfl, for fluids bounded by their drops. As
-/// pressures are not linear, large swings need a distance from the bound: in 3D k a < 2, a swing of
-/// more than four steps, below the resonance that the change of the step drives; in the plane,
-/// where spray is rare, a tenth of the bound, with which mls keeps the default.
-double courant_number(const SimulationSetup& setup) {
-  const bool fluid = std::any_of(setup.bodies.begin(), setup.bodies.end(), [](const auto& body) {
-    const MaterialEntry* law = find_material_model(body.model);
-    return law && law->fluid;
-  });
-  if (!fluid) return setup.cfl;
-  const double lone = lone_particle_courant(setup.kernel, setup.transfer, setup.dimension);
-  return std::min(setup.cfl, (setup.dimension == 3 ? 0.71 : 0.89) * lone);
 }
 
 template <int D>

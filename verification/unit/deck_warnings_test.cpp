@@ -38,6 +38,50 @@ TEST(DeckWarnings, TheLinearKernel) {
             std::string::npos);
 }
 
+constexpr const char* drop = R"([domain]
+dimension = 3
+upper = [0.4, 0.4, 0.4]
+cell_size = 0.1
+[time]
+end = 0.001
+[material.water]
+model = "newtonian"
+density = 1000
+bulk_modulus = 1e5
+[body.drop]
+material = "water"
+shape = { type = "box", lower = [0.1, 0.1, 0.1], upper = [0.3, 0.3, 0.3] }
+)";
+
+/// 0.71 of sqrt(4/tr D^-1), tr D^-1 = 30.5 in 3D (docs/method.md, section 3).
+TEST(DeckWarnings, ACourantNumberThatFluidsDoNotTake) {
+  const auto warnings = [](const Texts& overrides) {
+    Problems problems;
+    const Deck deck = read_deck_text(drop, "drop.toml", overrides, problems);
+    EXPECT_EQ(problems.text(), "");
+    return deck_warnings(deck, build_setup(deck));
+  };
+  EXPECT_EQ(warnings({"time.cfl=0.45"}),
+            Texts{"time.cfl = 0.45: with fluids it counts as 0.257, or drops would come apart"});
+  EXPECT_EQ(warnings({"time.cfl=0.4"}), Texts());
+  EXPECT_EQ(warnings({"time.step=1e-4"}), Texts());
+}
+
+TEST(Check, SaysWhichCourantNumberFluidsTake) {
+  const TemporaryFolder folder;
+  CheckOptions options;
+  options.deck = (folder / "drop.toml").string();
+  options.threads = 1;
+  std::ofstream(options.deck) << drop;
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(check_command(options), 0);
+  std::fflush(stdout);
+  const std::string out = testing::internal::GetCapturedStdout();
+  EXPECT_NE(out.find("s (cfl 0.257 in place of 0.4, or drops of fluid would come apart)"),
+            std::string::npos)
+      << out;
+}
+
 TEST(DeckWarnings, BodiesThatOverlap) {
   // Particles are 2/3 cm apart: in 2 cm x 4 cm lie 3 x 6.
   EXPECT_EQ(warnings_of(R"([body.two]
