@@ -14,7 +14,14 @@ import sys
 from paraview.simple import *
 
 HERE = os.path.dirname(os.path.abspath(__file__)) if "__file__" in globals() else os.path.join(os.getcwd(), "postproc/paraview")
-VIEWS = (("velocity", "velocity"), ("shear_strain", "equivalent_plastic_strain"), ("section", "velocity"), ("stress_glyphs", "stress"), ("free_surface", "body"))
+# What each view needs: one of these fields.
+VIEWS = (
+    ("velocity", {"velocity"}),
+    ("shear_strain", {"equivalent_plastic_strain", "equivalent_plastic_shear_strain"}),
+    ("section", {"velocity"}),
+    ("stress_glyphs", {"stress"}),
+    ("free_surface", {"body"}),
+)
 
 
 def open_run(folder):
@@ -45,8 +52,8 @@ def show_views(run, pictures=None):
     flat = source.GetDataInformation().GetBounds()[4] == source.GetDataInformation().GetBounds()[5]
     colliders = os.path.exists(os.path.join(run, "colliders.pvd"))
     made = []
-    for name, field in VIEWS:
-        if field not in fields or (name == "section" and flat):
+    for name, needed in VIEWS:
+        if not needed & set(fields) or (name == "section" and flat):
             continue
         layout = CreateLayout("scree " + name)
         view = CreateView("RenderView")
