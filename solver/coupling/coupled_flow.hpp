@@ -156,6 +156,7 @@ class CoupledFlow {
 
   Mat3<double> deformation(std::int64_t id) const;
   static double gain(const FlowBody& body, const PoreState<D>& state);
+  void update_gains();
   void index_points();
   std::optional<SurfacePoint<D>> surface_point(std::int64_t id) const;
   void prepare(const FlowStep<D>& step, const Topology<D>& topology);

@@ -143,6 +143,18 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
 }
 
 template <int D>
+void CoupledFlow<D>::update_gains() {
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const std::size_t begin = std::size_t(bodies_[b].first_id);
+    const std::size_t end =
+        b + 1 < bodies_.size() ? std::size_t(bodies_[b + 1].first_id) : state_.size();
+    for (std::size_t id = begin; id < end && bodies_[b].pores; ++id) {
+      gained_[id] = gain(bodies_[b], state_[id]);
+    }
+  }
+}
+
+template <int D>
 void CoupledFlow<D>::load(const StateReader& reader) {
   bool fits = true;
   each_array<D>(state_, [&](const char* name, int width, auto&& at) {
@@ -158,7 +170,9 @@ void CoupledFlow<D>::load(const StateReader& reader) {
   });
   point_of_ = reader.get<std::int32_t>("coupling/present");
   present_ = -1;
-  const auto water = reader.get<double>("coupling/water");
+  auto water = reader.get<double>("coupling/water");
+  fits = fits && water.size() == 4;
+  water.resize(4);
   start_mass_ = water.at(0);
   left_ = water.at(1);
   const std::size_t surfaces = outflow_.size();
@@ -172,14 +186,7 @@ void CoupledFlow<D>::load(const StateReader& reader) {
       nodes.size() != values.size() || nodes.size() != earlier.size()) {
     throw RunFault("the checkpoint's pore water does not match this deck");
   }
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const std::size_t begin = std::size_t(bodies_[b].first_id);
-    const std::size_t end =
-        b + 1 < bodies_.size() ? std::size_t(bodies_[b + 1].first_id) : state_.size();
-    for (std::size_t id = begin; id < end && bodies_[b].pores; ++id) {
-      gained_[id] = gain(bodies_[b], state_[id]);
-    }
-  }
+  update_gains();
   nodal_.assign(nodal_.size(), 0.0);
   earlier_.assign(earlier_.size(), 0.0);
   for (std::size_t n = 0; n < nodes.size(); ++n) {

@@ -2,6 +2,7 @@
 #include "solver/coupling/pressure_product.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "solver/coupling/load_any.hpp"
 #include "solver/grid/block.hpp"
@@ -42,6 +43,18 @@ struct PencilBox {
     for (std::size_t a = 0; a + 1 < D; ++a) at = at * extent[a] + node[a] - lower[a];
     return at;
   }
+  bool has_nodes(std::int64_t p) const { return first[std::size_t(p)] <= last[std::size_t(p)]; }
+  /// First and last node of a pencil and those in its reach.
+  std::pair<std::int32_t, std::int32_t> nodes_in_reach(std::int64_t p, int reach) const {
+    std::pair<std::int32_t, std::int32_t> ends{first[std::size_t(p)], last[std::size_t(p)]};
+    for (int m = 0; m < power(2 * reach + 1, D - 1); ++m) {
+      const std::int64_t q = p + step(m, reach);
+      if (!has_nodes(q)) continue;
+      ends.first = std::min(ends.first, first[std::size_t(q)]);
+      ends.second = std::max(ends.second, last[std::size_t(q)]);
+    }
+    return ends;
+  }
   /// Numbers from a pencil to line m of those in reach.
   std::int64_t step(int m, int reach) const {
     std::int64_t at = 0, stride = 1;
@@ -75,20 +88,11 @@ template <int D>
 void PressureProduct<D>::add_pencils(const std::vector<PressureNode<D>>& nodes, int places) {
   const PencilBox<D> box(nodes, reach_);
   const int in_reach = power(2 * reach_ + 1, D - 1);
-  const auto has_nodes = [&](std::int64_t p) {
-    return box.first[std::size_t(p)] <= box.last[std::size_t(p)];
-  };
   std::vector<Line> origin(std::size_t(box.size));  // of node 0 of the last axis
   std::int64_t numbers = 0, entries = 0;
   for (std::int64_t p = 0; p < box.size; ++p) {
-    if (!has_nodes(p)) continue;
-    std::int32_t low = box.first[std::size_t(p)], high = box.last[std::size_t(p)];
-    for (int m = 0; m < in_reach; ++m) {
-      const std::int64_t q = p + box.step(m, reach_);
-      if (!has_nodes(q)) continue;
-      low = std::min(low, box.first[std::size_t(q)]);
-      high = std::max(high, box.last[std::size_t(q)]);
-    }
+    if (!box.has_nodes(p)) continue;
+    const auto [low, high] = box.nodes_in_reach(p, reach_);
     const std::int32_t length = high - low + 1 + 2 * reach_ + width;
     origin[std::size_t(p)] = {0, length, numbers + reach_ - low, entries + reach_ - low};
     numbers += length;
@@ -110,7 +114,7 @@ void PressureProduct<D>::add_pencils(const std::vector<PressureNode<D>>& nodes, 
       const std::int32_t begin = std::int32_t(lines_.size());
       for (int m = 0; m < in_reach; ++m) {
         const std::int64_t q = p + box.step(m, reach_);
-        if (has_nodes(q)) lines_.push_back(seen_from(first, q, m));
+        if (box.has_nodes(q)) lines_.push_back(seen_from(first, q, m));
       }
       pencils_.push_back({seen_from(first, p, in_reach / 2), box.last[std::size_t(p)] - first + 1,
                           std::int32_t(r), 0, begin, std::int32_t(lines_.size())});

@@ -119,6 +119,7 @@ void VolumeOperator<D>::flush(const PressureNode<D>& cell, Scratch& scratch) {
 /// Adds alpha V g_i N_j of every point of a chunk.
 template <int D>
 template <class Kernel, int spacing>
+// NOLINTNEXTLINE(readability-function-size): a kernel's body
 void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk,
                                       double biot) {
   using Scratch = CellScratch<Kernel, D, spacing>;
