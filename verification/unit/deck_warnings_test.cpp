@@ -40,6 +40,7 @@ TEST(DeckWarnings, TheLinearKernel) {
 
 constexpr const char* drop = R"([domain]
 dimension = 3
+lower = [0.0, 0.0, 0.0]
 upper = [0.4, 0.4, 0.4]
 cell_size = 0.1
 [time]
