@@ -157,10 +157,11 @@ void check_crossings(const TriangleMesh& mesh, const TriangleTree& tree) {
     }
     place[a] = 0.5 * (lower + upper);
   }
-  throw GeometryFault("file",
-                      fmt::format("passes through itself near {} m; separate the surfaces, or give "
-                                  "each a file of its own and unite them with a union",
-                                  place_of(place)));
+  throw GeometryFault(
+      "file",
+      fmt::format("{} itself near {} m; separate the surfaces, or give "
+                  "each a file of its own and unite them with a union",
+                  tree.lie_on_each_other(s, t) ? "lies on" : "passes through", place_of(place)));
 }
 
 std::int64_t turn_outward(TriangleMesh& mesh, const TriangleTree& tree) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "solver/geometry/predicates.hpp"
@@ -40,6 +41,35 @@ int turn_to_lone_corner(Corners& corners, const Corners& other) {
   const auto first = std::find(sides, sides + 3, lone) - sides;
   std::rotate(corners.begin(), corners.begin() + first, corners.end());
   return lone;
+}
+
+bool in_plane_of(const Corners& t, const Corners& plane) {
+  return std::all_of(t.begin(), t.end(), [&](const double* x) {
+    return certain_orientation(plane[0], plane[1], plane[2], x) == 0;
+  });
+}
+
+using FlatTriangle = std::array<std::array<double, 2>, 3>;
+
+/// Without the axis; counterclockwise. Nothing for a triangle without area there.
+std::optional<FlatTriangle> flattened(const Corners& t, std::size_t axis) {
+  FlatTriangle flat;
+  for (std::size_t i = 0; i < 3; ++i) flat[i] = {t[i][(axis + 1) % 3], t[i][(axis + 2) % 3]};
+  const int turn = orientation(flat[0].data(), flat[1].data(), flat[2].data());
+  if (turn == 0) return std::nullopt;
+  if (turn < 0) std::swap(flat[1], flat[2]);
+  return flat;
+}
+
+/// True if the line through a side of s has t on its other side: then they have no area in common.
+bool side_parts(const FlatTriangle& s, const FlatTriangle& t) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto beyond = [&](const std::array<double, 2>& x) {
+      return orientation(s[i].data(), s[(i + 1) % 3].data(), x.data()) <= 0;
+    };
+    if (std::all_of(t.begin(), t.end(), beyond)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -176,9 +206,6 @@ bool TriangleTree::odd_crossings(const double x[3], int axis, std::int32_t witho
 /// INRIA RR-4488, 2002). Triangles that share corners or sides, lie in each other's planes or touch
 /// there have no such line.
 bool TriangleTree::pass_through(std::int32_t s, std::int32_t t) const {
-  const auto corners = [this](std::int32_t triangle) {
-    return Corners{corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
-  };
   Corners first = corners(s), second = corners(t);
   const int side_of_first = turn_to_lone_corner(first, second);
   const int side_of_second = side_of_first == 0 ? 0 : turn_to_lone_corner(second, first);
@@ -190,7 +217,18 @@ bool TriangleTree::pass_through(std::int32_t s, std::int32_t t) const {
          certain_orientation(first[0], first[2], second[2], second[0]) > 0;
 }
 
-/// A later triangle that passes through this one, or -1.
+bool TriangleTree::lie_on_each_other(std::int32_t s, std::int32_t t) const {
+  const Corners first = corners(s), second = corners(t);
+  if (!in_plane_of(first, second) || !in_plane_of(second, first)) return false;
+  // Seen along any axis in which both have an area, they overlap or not.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto one = flattened(first, axis), other = flattened(second, axis);
+    if (one && other) return !side_parts(*one, *other) && !side_parts(*other, *one);
+  }
+  return false;
+}
+
+/// A later triangle that passes through this one or lies on it, or -1.
 std::int32_t TriangleTree::crossed_by(std::int32_t triangle) const {
   std::array<double, 3> lower, upper;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -211,7 +249,7 @@ std::int32_t TriangleTree::crossed_by(std::int32_t triangle) const {
     if (apart) continue;
     for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
       const std::int32_t t = order_[std::size_t(k)];
-      if (t > triangle && pass_through(triangle, t)) return t;
+      if (t > triangle && (pass_through(triangle, t) || lie_on_each_other(triangle, t))) return t;
     }
     if (node.count > 0) continue;
     stack[size++] = index + 1;

@@ -46,8 +46,13 @@ class TriangleTree {
   /// where x is within rounding of the surface itself.
   bool odd_crossings(const double x[3], int axis = 0, std::int32_t without = -1) const;
 
-  /// Two triangles that pass through each other, or {-1, -1}; those that merely touch are let pass.
+  /// Two triangles that pass through each other or lie on each other, or {-1, -1}; those that
+  /// merely touch along a line or in a point are let pass.
   std::pair<std::int32_t, std::int32_t> crossing_pair() const;
+
+  /// True if two triangles lie in one plane, as far as rounding can tell, and have an area in
+  /// common.
+  bool lie_on_each_other(std::int32_t s, std::int32_t t) const;
 
   const std::array<double, 3>& lower() const { return nodes_.front().lower; }  ///< m
   const std::array<double, 3>& upper() const { return nodes_.front().upper; }  ///< m
@@ -64,6 +69,9 @@ class TriangleTree {
   bool crosses_ray(std::int32_t triangle, const double x[3], int axis) const;
   std::int32_t crossed_by(std::int32_t triangle) const;
   bool pass_through(std::int32_t s, std::int32_t t) const;
+  std::array<const double*, 3> corners(std::int32_t triangle) const {
+    return {corner(triangle, 0), corner(triangle, 1), corner(triangle, 2)};
+  }
   const double* corner(std::int32_t triangle, int i) const {
     return mesh_.points[std::size_t(mesh_.triangles[std::size_t(triangle)][std::size_t(i)])].data();
   }

@@ -217,6 +217,19 @@ TEST(MeshSolid, SurfacesThatPassThroughEachOtherAreRefused) {
   EXPECT_NEAR(row.volume(), 2, 1e-15);
 }
 
+/// Which side of the common area is solid, the triangles there cannot say.
+TEST(MeshSolid, SurfacesThatLieOnEachOtherAreRefused) {
+  const TriangleMesh box = box_mesh({0, 0, 0}, {1, 1, 1});
+  const auto refused = [&](const TriangleMesh& other) {
+    return begins(fault_of(joined(box, other)), "file lies on itself near (1, 0.");
+  };
+  EXPECT_TRUE(refused(box_mesh({1, 0, 0}, {2, 0.5, 0.5})));  // solids side by side
+  EXPECT_TRUE(refused(box_mesh({1, 0.25, 0.25}, {2, 1.25, 0.75})));
+  EXPECT_TRUE(refused(box_mesh({0.5, 0.25, 0.25}, {1, 0.75, 0.75})));  // a cavity at the wall
+  // Near each other by more than rounding is apart.
+  EXPECT_EQ(fault_of(joined(box, box_mesh({1 + 1e-12, 0, 0}, {2, 0.5, 0.5}))), "none");
+}
+
 TEST(MeshSolid, TrianglesWithoutAreaDoNoHarm) {
   TriangleMesh mesh = box_mesh({0, 0, 0}, {1, 1, 1});
   mesh.triangles.push_back({3, 3, 1});  // two corners are one
