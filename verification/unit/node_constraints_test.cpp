@@ -35,7 +35,7 @@ PairAtWall pair_at_wall(FaceType type, NoSlip no_slip, PairState state,
   decisions.pairs = &pairs;
   decisions.folded = &folded;
   NodeConstraints<2> constraints;
-  constraints.begin_step({ghost_mass, image_mass});
+  constraints.masses() = {ghost_mass, image_mass};
   const auto nowhere = [](std::int64_t) { return std::array<double, 3>{}; };
   constraints.find(decisions, velocity, {}, nowhere, 0.0);
   EXPECT_EQ(constraints.groups().size(), 1U);
