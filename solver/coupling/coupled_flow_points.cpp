@@ -29,9 +29,20 @@ struct StateLanes {
   /// Rows of the numbers after F.
   static constexpr int pressure = D * D, ratio = pressure + 1, start_ratio = pressure + 2;
   static_assert(numbers <= rows && offsetof(PoreState<D>, start_ratio) == 8 * start_ratio);
+  using Turn = LaneTranspose<double>;
+  static_assert(width % Turn::width == 0 && rows == Turn::record);
   alignas(64) double numbers_of[rows * width] = {};
 
   double* row(int k) { return numbers_of + k * width; }
+
+  /// f(first lane, room for its rows) for as many lanes as are turned at once.
+  template <class F>
+  void each_part(F&& f) {
+    for (int first = 0; first < width; first += Turn::width) {
+      alignas(64) double part[rows * Turn::width];
+      f(first, part);
+    }
+  }
 
   /// state(i): of lane i.
   template <class State>
@@ -39,7 +50,11 @@ struct StateLanes {
     if constexpr (numbers == rows) {
       alignas(64) double records[width * rows];
       for (int i = 0; i < width; ++i) __builtin_memcpy(records + i * rows, &state(i), 8 * rows);
-      LaneTranspose<double>::to_lanes(records, numbers_of);
+      each_part([&](int first, double* part) {
+        Turn::to_lanes(records + first * rows, part);
+        for (int k = 0; k < rows; ++k)
+          std::copy_n(part + k * Turn::width, Turn::width, row(k) + first);
+      });
     } else {
       for (int i = 0; i < width; ++i) {
         double record[numbers];
@@ -54,7 +69,11 @@ struct StateLanes {
     constexpr std::size_t bytes = 8 * (ratio + 1);
     if constexpr (numbers == rows) {
       alignas(64) double records[width * rows];
-      LaneTranspose<double>::to_records(numbers_of, records);
+      each_part([&](int first, double* part) {
+        for (int k = 0; k < rows; ++k)
+          std::copy_n(row(k) + first, Turn::width, part + k * Turn::width);
+        Turn::to_records(part, records + first * rows);
+      });
       for (int i = 0; i < count; ++i) __builtin_memcpy(&state(i), records + i * rows, bytes);
     } else {
       for (int i = 0; i < count; ++i) {
