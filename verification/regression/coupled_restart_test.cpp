@@ -5,6 +5,8 @@
 
 #include <array>
 #include <optional>
+#include <ostream>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -61,6 +63,10 @@ struct Case {
   bool periodic;
   SimulationSetup setup() const { return scene(dimension, spacing, periodic); }
 };
+/// For the tests' names, which are else its bytes.
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.dimension << "D, spacing " << c.spacing;
+}
 class CoupledRestart : public ::testing::TestWithParam<Case> {};
 
 TEST_P(CoupledRestart, continues_bitwise) {
@@ -95,7 +101,12 @@ TEST_P(CoupledRestart, runs_beside_each_other_do_not_meet) {
 
 INSTANTIATE_TEST_SUITE_P(all, CoupledRestart,
                          ::testing::Values(Case{2, 1, false}, Case{2, 2, false}, Case{3, 2, true},
-                                           Case{3, 2, false}));
+                                           Case{3, 2, false}),
+                         [](const auto& info) {
+                           const Case& c = info.param;
+                           return "d" + std::to_string(c.dimension) + "_spacing" +
+                                  std::to_string(c.spacing) + (c.periodic ? "_periodic" : "");
+                         });
 
 }  // namespace
 }  // namespace scree::testing
