@@ -5,6 +5,7 @@
 
 #include "solver/device/kernels.hpp"
 #include "solver/device/launch.cuh"
+#include "solver/device/pool_entry.hpp"
 
 namespace scree {
 inline namespace SCREE_SIDE {
@@ -36,11 +37,6 @@ __global__ void __launch_bounds__(block_threads)
     const std::int32_t place = place_of(chosen.ids, chosen.count, data.ids[first + i]);
     if (place >= 0) chosen.lane[place] = first + i;
   }
-}
-
-/// First entry of a lane in a pool of `fields` fields.
-SCREE_FN std::int64_t pool_entry(std::int64_t lane, int fields) {
-  return lane / device_width * fields * device_width + lane % device_width;
 }
 
 /// A thread a particle.

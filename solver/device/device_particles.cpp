@@ -4,15 +4,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/device/pool_entry.hpp"
+
 namespace scree {
 namespace {
 
 constexpr std::uint64_t no_key = ~std::uint64_t(0);
 
-/// First entry of a lane in a pool of `fields` fields.
-std::size_t entry(std::int64_t lane, int fields) {
-  return std::size_t(lane / device_width * fields * device_width + lane % device_width);
-}
+std::size_t entry(std::int64_t lane, int fields) { return std::size_t(pool_entry(lane, fields)); }
 
 /// f(slot in the store, lane on the device) for all particles of a store.
 template <int D, class T, class F>

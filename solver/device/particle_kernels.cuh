@@ -5,6 +5,7 @@
 
 #include "solver/device/kernels.hpp"
 #include "solver/device/launch.cuh"
+#include "solver/device/pool_entry.hpp"
 #include "solver/grid/block.hpp"
 
 namespace scree {
@@ -28,8 +29,7 @@ __global__ void __launch_bounds__(block_threads)
     values[lane] = std::int32_t(lane);
     keys[lane] = ~std::uint64_t(0);
     if (i >= data.counts[block] || data.ids[lane] < 0) continue;
-    T* position =
-        data.particles + lane / device_width * data.fields * device_width + lane % device_width;
+    T* position = data.particles + pool_entry(lane, data.fields);
     BlockCoord<D> target{};
     for (int a = 0; a < D; ++a) {
       T& u = position[a * device_width];
@@ -55,20 +55,17 @@ __global__ void __launch_bounds__(block_threads)
          const std::int32_t* batch_begin) {
   const int block = int(blockIdx.x);
   const std::int64_t begin = std::int64_t(batch_begin[block]) * device_width;
-  const auto entry = [](std::int64_t lane, int fields) {
-    return lane / device_width * fields * device_width + lane % device_width;
-  };
   for (int i = device::thread(); i < counts[block]; i += device::threads()) {
     const std::int64_t source = order[first[block] + i];
     const std::int64_t target = begin + i;
     to.ids[target] = from.ids[source];
     for (int f = 0; f < from.fields; ++f) {
-      to.particles[entry(target, from.fields) + f * device_width] =
-          from.particles[entry(source, from.fields) + f * device_width];
+      to.particles[pool_entry(target, from.fields) + f * device_width] =
+          from.particles[pool_entry(source, from.fields) + f * device_width];
     }
     for (int f = 0; f < from.aux_fields; ++f) {
-      to.aux[entry(target, from.aux_fields) + f * device_width] =
-          from.aux[entry(source, from.aux_fields) + f * device_width];
+      to.aux[pool_entry(target, from.aux_fields) + f * device_width] =
+          from.aux[pool_entry(source, from.aux_fields) + f * device_width];
     }
   }
 }
