@@ -5,8 +5,20 @@
 #include <utility>
 
 namespace scree {
+namespace {
+
+/// Tells the processor that a loop waits.
+void pause() {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
 
 ThreadPool::ThreadPool(int threads) {
+  // A pause is 10 to 40 ns.
+  if (unsigned(std::max(threads, 1)) <= std::thread::hardware_concurrency()) looks_ = 1000;
   for (int t = 1; t < std::max(threads, 1); ++t) workers_.emplace_back([this, t] { work(t); });
 }
 
@@ -17,6 +29,15 @@ ThreadPool::~ThreadPool() {
   }
   start_.notify_all();
   for (std::thread& worker : workers_) worker.join();
+}
+
+template <class Condition>
+bool ThreadPool::comes_soon(const Condition& condition) const {
+  for (int look = 0; look < looks_; ++look) {
+    if (condition()) return true;
+    pause();
+  }
+  return condition();
 }
 
 void ThreadPool::for_each(std::int64_t count, const std::function<void(std::int64_t, int)>& f,
@@ -37,8 +58,11 @@ void ThreadPool::for_each(std::int64_t count, const std::function<void(std::int6
   }
   start_.notify_all();
   run_chunks(0);
-  std::unique_lock lock(mutex_);
-  done_.wait(lock, [this] { return running_ == 0; });
+  const auto all_done = [this] { return running_ == 0; };
+  if (!comes_soon(all_done)) {
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, all_done);
+  }
   job_ = nullptr;
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
@@ -61,17 +85,16 @@ void ThreadPool::run_chunks(int thread) {
 void ThreadPool::work(int thread) {
   std::uint64_t seen = 0;
   for (;;) {
-    {
+    const auto has_job = [this, &seen] { return stop_ || generation_ != seen; };
+    if (!comes_soon(has_job)) {
       std::unique_lock lock(mutex_);
-      start_.wait(lock, [this, seen] { return stop_ || generation_ != seen; });
-      if (stop_) return;
-      seen = generation_;
+      start_.wait(lock, has_job);
     }
+    if (stop_) return;
+    seen = generation_;
     run_chunks(thread);
-    {
-      const std::lock_guard lock(mutex_);
-      --running_;
-    }
+    if (--running_ > 0) continue;
+    const std::lock_guard lock(mutex_);  // or the caller might go to sleep after it was called
     done_.notify_one();
   }
 }

@@ -16,6 +16,10 @@ namespace scree {
 ///
 /// Which thread runs an index is left to chance; callers must write results by index (or in an
 /// order fixed by colours), so that they do not depend on it.
+///
+/// A step has a dozen ranges, and to wake a sleeping thread can take as long as a short range. So a
+/// thread that has nothing to do looks out for the next range for some microseconds before it goes
+/// to sleep, unless there are more threads than processors.
 class ThreadPool {
  public:
   /// threads >= 1; 1 runs everything on the caller.
@@ -34,14 +38,17 @@ class ThreadPool {
  private:
   void work(int thread);
   void run_chunks(int thread);
+  template <class Condition>
+  bool comes_soon(const Condition& condition) const;
 
   std::vector<std::thread> workers_;
   std::mutex mutex_;
   std::condition_variable start_;
   std::condition_variable done_;
-  std::uint64_t generation_ = 0;
-  int running_ = 0;
-  bool stop_ = false;
+  std::atomic<std::uint64_t> generation_{0};
+  std::atomic<int> running_{0};
+  std::atomic<bool> stop_{false};
+  int looks_ = 0;  ///< for something to do before going to sleep
   const std::function<void(std::int64_t, int)>* job_ = nullptr;
   std::int64_t count_ = 0;
   std::int64_t chunk_ = 1;

@@ -71,4 +71,26 @@ FacePairs<D> find_face_pairs(const Grid<D, T>& grid, const GridDomain<D>& domain
   return pairs;
 }
 
+/// Pairs that follow each other in the list of an axis: their ghosts lie in one block, beyond one
+/// face.
+struct FaceRun {
+  std::size_t begin, end;
+  std::int32_t block;
+  std::int32_t side;
+};
+
+/// records: of a block.
+inline std::vector<FaceRun> find_face_runs(const std::vector<FacePair>& pairs,
+                                           std::int64_t records) {
+  std::vector<FaceRun> runs;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::int32_t block = std::int32_t(pairs[i].ghost / records);
+    if (runs.empty() || runs.back().block != block || runs.back().side != pairs[i].side) {
+      runs.push_back({i, i, block, pairs[i].side});
+    }
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
 }  // namespace scree

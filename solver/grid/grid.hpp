@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "solver/exec/aligned.hpp"
 #include "solver/exec/thread_pool.hpp"
@@ -40,17 +40,24 @@ class Grid {
         16);
   }
 
-  /// Carries a channel over from another block set; blocks that are new start at zero.
-  void carry_over(const Topology<D>& before, AlignedVector<T>& channel) const {
-    AlignedVector<T> moved(size(), T(0));
+  /// Carries a channel of another block set over to the present one; blocks that are new start at
+  /// zero.
+  void carry_over(const Topology<D>& before, const AlignedVector<T>& from, AlignedVector<T>& to,
+                  ThreadPool& pool) const {
+    to.resize(size());
     const std::size_t n = block_values();
-    for (int b = 0; b < topology_.size(); ++b) {
-      const int from = before.find(topology_.keys()[std::size_t(b)]);
-      if (from < 0) continue;
-      const T* p = channel.data() + std::size_t(from) * n;
-      std::copy(p, p + n, moved.data() + std::size_t(b) * n);
-    }
-    channel = std::move(moved);
+    pool.for_each(
+        topology_.size(),
+        [&](std::int64_t b, int) {
+          T* p = to.data() + std::size_t(b) * n;
+          const int old = before.find(topology_.keys()[std::size_t(b)]);
+          if (old < 0) {
+            std::fill_n(p, n, T(0));
+          } else {
+            std::copy_n(from.data() + std::size_t(old) * n, n, p);
+          }
+        },
+        16);
   }
 
   /// Index of a node's record (in records, not values); -1 if its block is not active.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/grid/grid_update.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,8 +17,28 @@ GridUpdate<D, T>::GridUpdate(const GridDomain<D>& domain, const Faces<D>& faces,
 template <int D, class T>
 void GridUpdate<D, T>::rebuild(const Grid<D, T>& grid) {
   remember(grid.topology().keys());
+  records_ = std::int64_t(grid.block_values()) / node_values;
   pairs_ = find_face_pairs(grid, domain_);
-  for (int a = 0; a < D; ++a) folded_[a].assign(pairs_[a].size(), 0);
+  for (int a = 0; a < D; ++a) {
+    folded_[a].assign(pairs_[a].size(), pair_apart);
+    runs_[a] = find_face_runs(pairs_[a], records_);
+  }
+  find_face_blocks(grid);
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::find_face_blocks(const Grid<D, T>& grid) {
+  beside_face_.assign(std::size_t(grid.topology().size()), 0);
+  for (const auto& axis : pairs_) {
+    for (const FacePair& pair : axis) {
+      beside_face_[std::size_t(pair.ghost / records_)] = 1;
+      beside_face_[std::size_t(pair.image / records_)] = 1;
+    }
+  }
+  face_blocks_.clear();
+  for (std::size_t b = 0; b < beside_face_.size(); ++b) {
+    if (beside_face_[b] != 0) face_blocks_.push_back(std::int64_t(b));
+  }
 }
 
 /// Blocks that stay keep their memory; both lists of keys are sorted.
@@ -39,64 +60,76 @@ double GridUpdate<D, T>::apply(const Grid<D, T>& grid, AlignedVector<T>& channel
                                std::vector<Collider>& colliders, ThreadPool& pool) {
   T* p = channel_0.data();
   T* q = forces.separate_force ? channel_1.data() : nullptr;
-  const double mass = add_forces(grid, p, q, forces, pool);
+  block_mass_.resize(std::size_t(grid.topology().size()));
+  // Faces act between the two parts of the update; nodes far from them go through both at once.
+  pool.for_each(
+      std::int64_t(face_blocks_.size()),
+      [&](std::int64_t i, int) { add_forces(grid, face_blocks_[std::size_t(i)], p, q, forces); },
+      8);
   fold(p, q, forces.separate_force);
   to_velocity(grid, p, q, forces, colliders, pool);
   unfold(p, q, forces.separate_force);
-  return mass;
+  double mass = 0;
+  for (const double sum : block_mass_) mass += sum;
+  return mass / grid.lattices();
 }
 
 /// Afterwards p holds the momentum with all impulses; with separate forces q holds that without.
 template <int D, class T>
-double GridUpdate<D, T>::add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces,
-                                    ThreadPool& pool) {
-  const int blocks = grid.topology().size();
-  const std::size_t records = grid.block_values() / node_values;
+void GridUpdate<D, T>::add_forces(const Grid<D, T>& grid, std::int64_t block, T* p, T* q,
+                                  const GridForces& forces) {
+  const std::size_t values = grid.block_values(), first = std::size_t(block) * values;
   T kick[3] = {0, 0, 0};
   for (int a = 0; a < D; ++a) kick[a] = T(forces.dt * forces.gravity[a]);
-  block_mass_.assign(std::size_t(blocks), 0.0);
-  pool.for_each(
-      blocks,
-      [&](std::int64_t b, int) {
-        if (q == nullptr) {
-          T* first = p + std::size_t(b) * records * node_values;
-          block_mass_[std::size_t(b)] = kick_nodes(first, records, kick);
-          return;
+  double& sum = block_mass_[std::size_t(block)];
+  if (q == nullptr) {
+    sum = kick_nodes(p + first, values / node_values, kick);
+    return;
+  }
+  sum = 0;
+  for (std::size_t i = first; i < first + values; i += node_values) {
+    const T mass = p[i + mass_slot];
+    sum += mass;
+    for (int a = 0; a < D; ++a) {
+      const T before = p[i + a];
+      p[i + a] += mass * kick[a];
+      p[i + a] += q[i + a];
+      q[i + a] = before;
+    }
+  }
+}
+
+/// Blocks without mass, which lie around every body, have nothing to fold.
+template <int D, class T>
+void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
+  occupied_.assign(block_mass_.size(), 0);
+  for (const std::int64_t b : face_blocks_) {
+    occupied_[std::size_t(b)] = block_mass_[std::size_t(b)] > 0;
+  }
+  for (int stage = 0; stage < fold_stages; ++stage) {
+    for (int axis = 0; axis < D; ++axis) {
+      for (const FaceRun& run : runs_[axis]) {
+        if (fold_stage(faces_.type[axis][run.side], faces_.no_slip) != stage) continue;
+        if (occupied_[std::size_t(run.block)] != 0) {
+          fold_run(axis, run, p, separate ? q : nullptr);
+        } else {
+          std::fill_n(folded_[axis].begin() + std::ptrdiff_t(run.begin), run.end - run.begin,
+                      char(pair_apart));
         }
-        double sum = 0;
-        for (std::size_t i = std::size_t(b) * records; i < std::size_t(b + 1) * records; ++i) {
-          T* node = p + i * node_values;
-          const T mass = node[mass_slot];
-          sum += mass;
-          for (int a = 0; a < D; ++a) {
-            const T before = node[a];
-            node[a] += mass * kick[a];
-            node[a] += q[i * node_values + a];
-            q[i * node_values + a] = before;
-          }
-        }
-        block_mass_[std::size_t(b)] = sum;
-      },
-      8);
-  double total = 0;
-  for (const double sum : block_mass_) total += sum;
-  return total / grid.lattices();
+      }
+    }
+  }
 }
 
 template <int D, class T>
-void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
-  T* before = separate ? q : nullptr;
-  for (int stage = 0; stage < fold_stages; ++stage) {
-    for (int axis = 0; axis < D; ++axis) {
-      for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
-        const FacePair& pair = pairs_[axis][i];
-        if (fold_stage(faces_.type[axis][pair.side], faces_.no_slip) != stage) continue;
-        if (pair.ghost == pair.image) {
-          hold_wall(pair, axis, p, before);
-        } else {
-          folded_[axis][i] = fold_pair_of_nodes(pair, axis, p, before);
-        }
-      }
+void GridUpdate<D, T>::fold_run(int axis, const FaceRun& run, T* p, T* before) {
+  for (std::size_t i = run.begin; i < run.end; ++i) {
+    const FacePair& pair = pairs_[axis][i];
+    if (pair.ghost == pair.image) {
+      hold_wall(pair, axis, p, before);
+    } else {
+      folded_[axis][i] = fold_pair_of_nodes(pair, axis, p, before);
+      occupied_[std::size_t(pair.image / records_)] = 1;
     }
   }
 }
@@ -135,14 +168,17 @@ template <int D, class T>
 void GridUpdate<D, T>::unfold(T* p, T* q, bool separate) const {
   for (int stage = fold_stages - 1; stage >= 0; --stage) {
     for (int axis = D - 1; axis >= 0; --axis) {
-      for (std::size_t i = 0; i < pairs_[axis].size(); ++i) {
-        const FacePair& pair = pairs_[axis][i];
-        const FaceType type = faces_.type[axis][pair.side];
+      for (const FaceRun& run : runs_[axis]) {
+        const FaceType type = faces_.type[axis][run.side];
         if (fold_stage(type, faces_.no_slip) != stage) continue;
-        if (folded_[axis][i] != pair_follows || pair.ghost == pair.image) continue;
-        for (T* channel : {p, separate ? q : p}) {
-          unfold_ghost<D>(type, faces_.no_slip, axis, channel + pair.image * node_values,
-                          channel + pair.ghost * node_values);
+        if (occupied_[std::size_t(run.block)] == 0) continue;
+        for (std::size_t i = run.begin; i < run.end; ++i) {
+          const FacePair& pair = pairs_[axis][i];
+          if (folded_[axis][i] != pair_follows || pair.ghost == pair.image) continue;
+          for (T* channel : {p, separate ? q : p}) {
+            unfold_ghost<D>(type, faces_.no_slip, axis, channel + pair.image * node_values,
+                            channel + pair.ghost * node_values);
+          }
         }
       }
     }
@@ -155,7 +191,12 @@ void GridUpdate<D, T>::to_velocity(const Grid<D, T>& grid, T* p, T* q, const Gri
   const int blocks = grid.topology().size();
   block_reactions_.assign(std::size_t(blocks) * colliders.size(), Reaction{});
   pool.for_each(
-      blocks, [&](std::int64_t b, int) { update_block(grid, b, p, q, forces, colliders); }, 8);
+      blocks,
+      [&](std::int64_t b, int) {
+        if (beside_face_[std::size_t(b)] == 0) add_forces(grid, b, p, q, forces);
+        update_block(grid, b, p, q, forces, colliders);
+      },
+      8);
   reactions_.assign(colliders.size(), Reaction{});
   for (std::size_t i = 0; i < block_reactions_.size(); ++i) {
     Reaction& sum = reactions_[i % colliders.size()];

@@ -67,8 +67,10 @@ class GridUpdate {
 
  private:
   void remember(const std::vector<std::uint64_t>& keys);
-  double add_forces(const Grid<D, T>& grid, T* p, T* q, const GridForces& forces, ThreadPool& pool);
+  void find_face_blocks(const Grid<D, T>& grid);
+  void add_forces(const Grid<D, T>& grid, std::int64_t block, T* p, T* q, const GridForces& forces);
   void fold(T* p, T* q, bool separate);
+  void fold_run(int axis, const FaceRun& run, T* p, T* before);
   void hold_wall(const FacePair& pair, int axis, T* p, T* before) const;
   char fold_pair_of_nodes(const FacePair& pair, int axis, T* p, T* before) const;
   void unfold(T* p, T* q, bool separate) const;
@@ -92,6 +94,11 @@ class GridUpdate {
   double cell_size_;
   FacePairs<D> pairs_;
   std::array<std::vector<char>, D> folded_;  ///< a PairState per pair
+  std::array<std::vector<FaceRun>, D> runs_;
+  std::int64_t records_ = 1;               ///< of a block
+  std::vector<std::int64_t> face_blocks_;  ///< that hold nodes of pairs
+  std::vector<char> beside_face_;          ///< by block: whether it is one of them
+  std::vector<char> occupied_;             ///< by block: whether its nodes have masses
   /// Per block, then per collider (or none yet); remembered_ are the keys of these blocks.
   std::vector<std::vector<BlockContactMemory>> memory_;
   std::vector<std::uint64_t> remembered_;

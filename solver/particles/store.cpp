@@ -85,14 +85,14 @@ void ParticleStore<D, T>::copy_slot(std::int64_t from, std::int64_t to) {
 }
 
 template <int D, class T>
-void ParticleStore<D, T>::remove_slot(Block& block, std::int32_t index) {
+void ParticleStore<D, T>::remove_slot(Block& block, std::int32_t index, Outbox& outbox) {
   const std::int64_t last = slot(block, block.count - 1);
   if (index != block.count - 1) copy_slot(last, slot(block, index));
   fill_padding(std::int32_t(last / width), int(last % width));
   --block.count;
-  --count_;
+  ++outbox.removed;
   if (block.count == std::int32_t(block.batches.size() - 1) * width) {
-    free_.push_back(block.batches.back());
+    outbox.freed.push_back(block.batches.back());
     block.batches.pop_back();
   }
 }
@@ -104,7 +104,7 @@ void ParticleStore<D, T>::collect(Block& block, const std::array<std::int32_t, D
   for (std::int32_t i = 0; i < block.count;) {
     const std::int64_t s = slot(block, i);
     if (ids_[std::size_t(s)] < 0) {
-      remove_slot(block, i);
+      remove_slot(block, i, outbox);
       continue;
     }
     BlockCoord<D> target = home;
@@ -127,7 +127,7 @@ void ParticleStore<D, T>::collect(Block& block, const std::array<std::int32_t, D
     outbox.id.push_back(ids_[std::size_t(s)]);
     for (int f = 0; f < fields_; ++f) outbox.record.push_back(value(s, f));
     for (int f = 0; f < aux_; ++f) outbox.record.push_back(aux_value(s, f));
-    remove_slot(block, i);
+    remove_slot(block, i, outbox);
   }
 }
 
@@ -143,12 +143,21 @@ void ParticleStore<D, T>::deliver(const Outbox& outbox) {
 }
 
 template <int D, class T>
-bool ParticleStore<D, T>::rebin(const std::array<std::int32_t, D>& wrap) {
+bool ParticleStore<D, T>::rebin(const std::array<std::int32_t, D>& wrap, ThreadPool& pool) {
   std::vector<std::uint64_t> before;
   for (const Block& block : blocks_) before.push_back(block.key);
-  Outbox outbox;
-  for (Block& block : blocks_) collect(block, wrap, outbox);
-  deliver(outbox);
+  constexpr std::size_t together = 16;  // blocks an outbox, whatever the threads
+  std::vector<Outbox> outboxes((blocks_.size() + together - 1) / together);
+  pool.for_each(std::int64_t(outboxes.size()), [&](std::int64_t o, int) {
+    const std::size_t first = std::size_t(o) * together;
+    const std::size_t last = std::min(first + together, blocks_.size());
+    for (std::size_t b = first; b < last; ++b) collect(blocks_[b], wrap, outboxes[std::size_t(o)]);
+  });
+  for (const Outbox& outbox : outboxes) {
+    free_.insert(free_.end(), outbox.freed.begin(), outbox.freed.end());
+    count_ -= outbox.removed;
+  }
+  for (const Outbox& outbox : outboxes) deliver(outbox);
   finish_blocks();
   const auto same = [](const Block& block, std::uint64_t key) { return block.key == key; };
   return !std::equal(blocks_.begin(), blocks_.end(), before.begin(), before.end(), same);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "solver/exec/aligned.hpp"
+#include "solver/exec/thread_pool.hpp"
 #include "solver/grid/block.hpp"
 
 namespace scree {
@@ -41,7 +42,7 @@ class ParticleStore {
   ///
   /// wrap[a] > 0: axis a is periodic with this many cells. Returns true if the set of blocks
   /// changed. The order is a function of the particles alone, not of threads.
-  bool rebin(const std::array<std::int32_t, D>& wrap);
+  bool rebin(const std::array<std::int32_t, D>& wrap, ThreadPool& pool);
   /// Sorts blocks by key and rebuilds the flat lists below; needed after append().
   void finish_blocks();
   /// Changes the number of aux fields; their contents are lost.
@@ -75,10 +76,13 @@ class ParticleStore {
   std::int64_t bytes() const;
 
  private:
+  /// What some blocks that follow each other give away.
   struct Outbox {
     std::vector<std::uint64_t> key;
     std::vector<std::int64_t> id;
-    std::vector<T> record;  ///< fields + aux of each stray
+    std::vector<T> record;            ///< fields + aux of each stray
+    std::vector<std::int32_t> freed;  ///< batches
+    std::int64_t removed = 0;         ///< particles, strays and dead ones
   };
 
   std::int32_t take_batch();
@@ -86,7 +90,7 @@ class ParticleStore {
   void copy_slot(std::int64_t from, std::int64_t to);
   std::size_t find_or_add(std::uint64_t key);
   void collect(Block& block, const std::array<std::int32_t, D>& wrap, Outbox& outbox);
-  void remove_slot(Block& block, std::int32_t index);
+  void remove_slot(Block& block, std::int32_t index, Outbox& outbox);
   void deliver(const Outbox& outbox);
   std::int64_t slot(const Block& block, std::int32_t index) const {
     return std::int64_t(block.batches[index / width]) * width + index % width;

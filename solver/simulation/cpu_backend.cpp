@@ -30,13 +30,17 @@ void CpuBackend<D, T>::set_layout(const AuxLayout& layout) {
 template <int D, class T>
 void CpuBackend<D, T>::bin(const std::array<std::int32_t, D>& wrap) {
   bool changed = false;
-  for (BodyState<D, T>& state : bodies_) changed |= state.body->store().rebin(wrap);
+  for (BodyState<D, T>& state : bodies_)
+    changed |= state.body->store().rebin(wrap, executor_.pool());
   if (changed) {
     const Topology<D> before = grid_.topology();
     // A particle that is moved to the other side takes along the blocks beyond the face.
     if (config_.fused) grid_update_.fold_periodic(current_);
     refresh_blocks();
-    if (config_.fused) grid_.carry_over(before, current_);
+    if (config_.fused) {
+      grid_.carry_over(before, current_, next_, executor_.pool());
+      std::swap(current_, next_);
+    }
   } else {
     for (Blocks& blocks : blocks_) blocks.results.assign(blocks.results.size(), BlockResult<T>{});
   }
