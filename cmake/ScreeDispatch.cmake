@@ -48,10 +48,11 @@ include(CTest)
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
   include(GoogleTest)
+  list(JOIN SCREE_DISPATCH "," dispatch_targets) # a semicolon would part the definition
   add_executable(scree_dispatch_tests verification/dispatch/targets_test.cpp verification/support/process.cpp)
   target_compile_features(scree_dispatch_tests PRIVATE cxx_std_20)
   target_include_directories(scree_dispatch_tests PRIVATE "${CMAKE_SOURCE_DIR}")
-  target_compile_definitions(scree_dispatch_tests PRIVATE SCREE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SCREE_TARGETS="${SCREE_DISPATCH}"
+  target_compile_definitions(scree_dispatch_tests PRIVATE SCREE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SCREE_TARGETS="${dispatch_targets}"
                                                           SCREE_EXECUTABLE="$<TARGET_FILE:scree>")
   target_link_libraries(scree_dispatch_tests PRIVATE GTest::gtest GTest::gtest_main)
   gtest_discover_tests(scree_dispatch_tests TEST_PREFIX "dispatch." DISCOVERY_MODE PRE_TEST PROPERTIES LABELS dispatch TIMEOUT 900)

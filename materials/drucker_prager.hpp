@@ -15,6 +15,7 @@
 #include "materials/consistent_history.hpp"
 #include "materials/friction_hardening.hpp"
 #include "materials/hencky_solid.hpp"
+#include "solver/base/anew.hpp"
 
 namespace scree {
 
@@ -143,10 +144,11 @@ struct DruckerPrager : HenckySolid {
     const V opening = mean - p.dilation * shear.length;
     const V closing = gap - p.dilation * flow;
     const V turned = flow * shear.inverse_length;
+    const V at = anew(shear.mean);  // else the deviator waits while step 2 iterates
     Vec3<V> change, strain;
     SCREE_UNROLL for (int i = 0; i < 3; ++i) {
-      change[i] =
-          select(tip, p.cohesion_strain - trial.strain[i], closing - turned * shear.deviator[i]);
+      change[i] = select(tip, p.cohesion_strain - trial.strain[i],
+                         closing - turned * (trial.strain[i] - at));
       strain[i] = trial.strain[i] + change[i];
     }
     s.volume_correction = select(tip, T(3) * opening, T(0));

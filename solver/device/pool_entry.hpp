@@ -9,9 +9,10 @@
 namespace scree {
 
 /// First entry of a lane in a pool of `fields` fields on a device; the next field is device_width
-/// entries on.
-SCREE_FN std::int64_t pool_entry(std::int64_t lane, int fields) {
-  return lane / device_width * fields * device_width + lane % device_width;
+/// entries on. (Lane: 32 bits where they hold all lanes, for wider ones take registers.)
+template <class Lane>
+SCREE_FN std::int64_t pool_entry(Lane lane, int fields) {
+  return std::int64_t(lane / device_width) * fields * device_width + lane % device_width;
 }
 
 }  // namespace scree

@@ -7,6 +7,7 @@
 
 #include "solver/base/pack.hpp"
 #include "solver/device/device.hpp"
+#include "solver/device/pool_entry.hpp"
 #include "solver/exec/arena.hpp"
 #include "solver/exec/cuda_leaves.cuh"
 #include "solver/exec/cuda_sums.cuh"
@@ -240,7 +241,7 @@ class CudaGroup : private Summation<D, T> {
 
   /// First field of a particle in a pool.
   static SCREE_FN T* entry(T* pool, int fields, const Batch& b) {
-    return pool + (std::int64_t(b.lane / width) * fields * width + b.lane % width);
+    return pool + pool_entry(b.lane, fields);
   }
 
   /// Offset of node s of the stencil (0 .. S^D - 1, last axis fastest) and its number on each axis.

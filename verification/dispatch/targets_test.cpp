@@ -48,7 +48,7 @@ ProcessResult scree(const std::string& target, std::vector<std::string> argument
 /// The targets of this build that this machine can run.
 std::vector<std::string> runnable() {
   std::vector<std::string> targets;
-  for (const std::string& target : split(SCREE_TARGETS, ';')) {
+  for (const std::string& target : split(SCREE_TARGETS, ',')) {
     if (scree(target, {"info"}).status == 0) targets.push_back(target);
   }
   return targets;
