@@ -9,8 +9,14 @@
 namespace scree {
 namespace {
 
-/// Of the pressure nodes' lattice: midpoints between the velocity nodes.
-double lattice_offset(KernelType kernel) { return kernel == KernelType::compact ? 0.25 : 0.5; }
+/// Of the pressure nodes' lattice [cells]. Every second velocity node where the kernel is one cell
+/// wide, so that walls carry nodes and are mirror planes of the pressure too. Every cell, only
+/// midpoints between the lattices keep the pressure free of checkerboards, which nodes of the
+/// velocity do not see from where they are. Quadratic kernels reach too far for nodes on theirs.
+double lattice_offset(KernelType kernel, int spacing) {
+  if (kernel == KernelType::quadratic) return 0.5;
+  return spacing == 1 ? 0.25 : 0.0;
+}
 
 std::vector<std::int64_t> first_ids(const std::vector<FlowBody>& bodies) {
   std::vector<std::int64_t> ids;
@@ -26,8 +32,8 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
     : setup_(std::move(setup)),
       domain_(domain),
       bodies_(std::move(bodies)),
-      lattice_(setup_.pressure_spacing, lattice_offset(domain.kernel), domain.cells,
-               domain.periodic),
+      lattice_(setup_.pressure_spacing, lattice_offset(domain.kernel, setup_.pressure_spacing),
+               domain.cells, domain.periodic, domain.walls),
       h_(setup_.pressure_spacing * domain.cell_size),
       lattices_(domain.kernel == KernelType::compact ? 2 : 1),
       volume_(lattice_, domain.kernel, domain.transfer, domain.cell_size),
@@ -39,12 +45,12 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
               setup_.tolerance, setup_.solver_options),
       compressed_(solver_.needs_entries() || !PressureProduct<D>::serves(lattice_)),
       point_of_(std::size_t(particles), -1),
-      nodal_(std::size_t(lattice_.size()), 0.0),
-      earlier_(std::size_t(lattice_.size()), 0.0),
       state_(std::size_t(particles), PoreState<D>{}),
       gained_(std::size_t(particles), 0.0),
+      own_(domain.own_increments ? std::size_t(particles) : 0),
       outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
+  for (std::vector<double>& field : nodal_) field.assign(std::size_t(lattice_.size()), 0.0);
   for (const FlowBody& body : bodies_) {
     half_side_.push_back(0.5 * std::pow(body.particle_volume, 1.0 / D));
     biot_.push_back(body.pores ? body.pores->biot : 0.0);
@@ -222,9 +228,11 @@ bool CoupledFlow<D>::solve_system() {
   iterations_ = 0;
   if (matrix_.rows() == 0) return true;
   for (std::size_t r = 0; r < solution_.size(); ++r) {
-    // As if the pressure went on as in the last step; nodes that had none begin with zero.
+    // As if the pressure went on as in the last steps; nodes that had none begin with zero.
     const std::size_t node = std::size_t(matrix_.nodes()[r]);
-    solution_[r] = earlier_[node] == 0 ? nodal_[node] : 2 * nodal_[node] - earlier_[node];
+    const double last = nodal_[0][node], before = nodal_[1][node], first = nodal_[2][node];
+    solution_[r] = before == 0 ? last : 2 * last - before;
+    if (before != 0 && first != 0) solution_[r] += last - 2 * before + first;
   }
   report_ = compressed_ ? solver_.solve(matrix_.values(), matrix_.rhs(), solution_)
                         : solver_.solve(matrix_.rhs(), solution_);
@@ -232,8 +240,9 @@ bool CoupledFlow<D>::solve_system() {
   iterations_ = report_.iterations;
   for (std::size_t r = 0; r < solution_.size(); ++r) {
     const std::size_t node = std::size_t(matrix_.nodes()[r]);
-    earlier_[node] = nodal_[node];
-    nodal_[node] = solution_[r];
+    nodal_[2][node] = nodal_[1][node];
+    nodal_[1][node] = nodal_[0][node];
+    nodal_[0][node] = solution_[r];
   }
   return true;
 }

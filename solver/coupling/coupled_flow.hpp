@@ -39,6 +39,9 @@ struct FlowDomain {
   TransferType transfer = TransferType::mls;
   std::array<std::int32_t, D> cells{};
   std::array<bool, D> periodic{};
+  typename PressureLattice<D>::Walls walls{};
+  /// Laws see other increments than the particles move by (volumetric_locking): note_increment().
+  bool own_increments = false;
   std::array<double, 3> lower{};  ///< [m]
   double cell_size = 1;           ///< [m]
 };
@@ -109,6 +112,15 @@ class CoupledFlow {
     __builtin_prefetch(&state_[std::size_t(id)], 1);
     __builtin_prefetch(reinterpret_cast<const char*>(&state_[std::size_t(id)]) + 64, 1);
   }
+  bool keeps_increments() const { return !own_.empty(); }
+  /// What the last step did to a particle, D x D; with FlowDomain::own_increments only. Any thread,
+  /// one a particle.
+  void note_increment(std::int64_t id, const std::array<double, D * D>& increment) {
+    own_[std::size_t(id)] = increment;
+  }
+  const std::array<double, D * D>& increment(std::int64_t id) const {
+    return own_[std::size_t(id)];
+  }
   /// Velocities of the nodes, D entries each: v* before solve(), v after it.
   std::vector<double>& velocity() { return velocity_; }
   /// Solves for the pressure. False where the solver does not converge: velocity() is then of no
@@ -124,7 +136,7 @@ class CoupledFlow {
   /// Seconds spent in the parts of solve() since the start.
   std::vector<std::pair<std::string, double>> times() const;
 
-  // Of a particle, at the end of the last step.
+  // Of a particle, at the end of the last step; volume_ratio: the law's.
   double pressure(std::int64_t id) const { return state_[std::size_t(id)].pressure; }
   std::array<double, 3> seepage(std::int64_t id) const;
   double porosity(std::int32_t body, std::int64_t id, double volume_ratio) const;
@@ -155,8 +167,11 @@ class CoupledFlow {
   void time_part(Part part, Clock::time_point& start);
 
   Mat3<double> deformation(std::int64_t id) const;
+  double own_ratio(std::int64_t id, double volume_ratio) const;
   static double gain(const FlowBody& body, const PoreState<D>& state);
   void update_gains();
+  void save_nodes(StateWriter& writer) const;
+  bool load_nodes(const StateReader& reader);
   void index_points();
   std::optional<SurfacePoint<D>> surface_point(std::int64_t id) const;
   void prepare(const FlowStep<D>& step, const Topology<D>& topology);
@@ -193,15 +208,16 @@ class CoupledFlow {
   std::vector<std::int32_t> point_of_;  ///< by id, -1: gone
   std::int64_t present_ = -1;           ///< number of points of the last step, -1: not known
   std::vector<double> solution_;        ///< by row
-  std::vector<double> nodal_;           ///< by lattice node: the last pressures, to start from
-  std::vector<double> earlier_;         ///< those of the step before
-  std::vector<double> velocity_;        ///< by node
-  std::vector<double> force_;           ///< by node
+  /// By lattice node: pressures of the last steps, the last one first; to start from.
+  std::array<std::vector<double>, 3> nodal_;
+  std::vector<double> velocity_;  ///< by node
+  std::vector<double> force_;     ///< by node
   std::vector<Reaction> reactions_;
-  std::vector<double> half_side_;      ///< of each body's boxes at t = 0 [m]
-  std::vector<double> biot_;           ///< of each body
-  AlignedVector<PoreState<D>> state_;  ///< by particle id
-  AlignedVector<double> gained_;       ///< by particle id: follows from state_
+  std::vector<double> half_side_;               ///< of each body's boxes at t = 0 [m]
+  std::vector<double> biot_;                    ///< of each body
+  AlignedVector<PoreState<D>> state_;           ///< by particle id
+  AlignedVector<double> gained_;                ///< by particle id: follows from state_
+  std::vector<std::array<double, D * D>> own_;  ///< by particle id: increments of the last step
   std::array<double, std::size_t(Part::count)> seconds_{};
   double start_mass_ = 0;        ///< of the water [kg]
   double left_ = 0;              ///< [kg], of particles that left through open faces

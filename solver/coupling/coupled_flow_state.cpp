@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the outside asks of the pore water, and its part of a checkpoint.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,10 +16,19 @@ std::array<double, 3> CoupledFlow<D>::seepage(std::int64_t id) const {
   return q;
 }
 
+/// The particle's own volume ratio, which may not be what its law sees.
+template <int D>
+double CoupledFlow<D>::own_ratio(std::int64_t id, double volume_ratio) const {
+  if (!keeps_increments()) return volume_ratio;
+  Mat3<double> f = identity3<double>();
+  for (int i = 0; i < D * D; ++i) f(i / D, i % D) += own_[std::size_t(id)][std::size_t(i)];
+  return state_[std::size_t(id)].ratio * det(f);
+}
+
 template <int D>
 double CoupledFlow<D>::porosity(std::int32_t body, std::int64_t id, double volume_ratio) const {
   return porosity_at(*bodies_[std::size_t(body)].pores,
-                     volume_ratio / state_[std::size_t(id)].start_ratio);
+                     own_ratio(id, volume_ratio) / state_[std::size_t(id)].start_ratio);
 }
 
 template <int D>
@@ -26,7 +36,7 @@ double CoupledFlow<D>::fluid_mass(std::int32_t body, std::int64_t id, double vol
   const FlowBody& flow = bodies_[std::size_t(body)];
   if (!flow.pores) return 0;
   const double start = state_[std::size_t(id)].start_ratio;
-  const double change = flow.pores->biot * (volume_ratio - start);
+  const double change = flow.pores->biot * (own_ratio(id, volume_ratio) - start);
   return flow.pores->fluid_density *
          (flow.particle_volume * (start * flow.pores->porosity + change) +
           state_[std::size_t(id)].stored);
@@ -83,8 +93,8 @@ GridSnapshot CoupledFlow<D>::grid() const {
 
 template <int D>
 std::int64_t CoupledFlow<D>::bytes() const {
-  const std::size_t numbers =
-      solution_.capacity() + 2 * nodal_.capacity() + force_.capacity() + gained_.capacity();
+  const std::size_t numbers = solution_.capacity() + 3 * nodal_[0].capacity() + force_.capacity() +
+                              gained_.capacity() + D * D * own_.capacity();
   return std::int64_t(8 * numbers + 4 * point_of_.capacity() +
                       sizeof(PoreState<D>) * state_.capacity()) +
          points_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
@@ -128,18 +138,48 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
   std::vector<std::int32_t> alive;
   for (const std::int32_t point : point_of_) alive.push_back(point >= 0 ? 1 : -1);
   writer.put("coupling/present", alive);
-  // The solver starts from these, so they belong to the state.
+  if (keeps_increments()) {
+    const double* numbers = own_.front().data();
+    writer.put("coupling/increment", std::vector<double>(numbers, numbers + D * D * own_.size()));
+  }
+  save_nodes(writer);
+}
+
+constexpr std::array<const char*, 3> nodal_names = {
+    "coupling/nodal_pressure", "coupling/earlier_pressure", "coupling/earliest_pressure"};
+
+/// The solver starts from these, so they belong to the state.
+template <int D>
+void CoupledFlow<D>::save_nodes(StateWriter& writer) const {
   std::vector<std::int64_t> nodes;
-  std::vector<double> values, earlier;
-  for (std::size_t n = 0; n < nodal_.size(); ++n) {
-    if (nodal_[n] == 0 && earlier_[n] == 0) continue;
-    nodes.push_back(std::int64_t(n));
-    values.push_back(nodal_[n]);
-    earlier.push_back(earlier_[n]);
+  for (std::size_t n = 0; n < nodal_[0].size(); ++n) {
+    if (nodal_[0][n] != 0 || nodal_[1][n] != 0 || nodal_[2][n] != 0)
+      nodes.push_back(std::int64_t(n));
   }
   writer.put("coupling/nodes", nodes);
-  writer.put("coupling/nodal_pressure", values);
-  writer.put("coupling/earlier_pressure", earlier);
+  for (std::size_t k = 0; k < nodal_.size(); ++k) {
+    std::vector<double> values;
+    for (const std::int64_t n : nodes) values.push_back(nodal_[k][std::size_t(n)]);
+    writer.put(nodal_names[k], values);
+  }
+}
+
+/// False: the numbers do not match.
+template <int D>
+bool CoupledFlow<D>::load_nodes(const StateReader& reader) {
+  const auto nodes = reader.get<std::int64_t>("coupling/nodes");
+  const auto known = std::int64_t(nodal_[0].size());
+  if (std::any_of(nodes.begin(), nodes.end(),
+                  [&](std::int64_t n) { return n < 0 || n >= known; })) {
+    return false;
+  }
+  for (std::size_t k = 0; k < nodal_.size(); ++k) {
+    const auto values = reader.get<double>(nodal_names[k]);
+    if (values.size() != nodes.size()) return false;
+    nodal_[k].assign(nodal_[k].size(), 0.0);
+    for (std::size_t n = 0; n < nodes.size(); ++n) nodal_[k][std::size_t(nodes[n])] = values[n];
+  }
+  return true;
 }
 
 template <int D>
@@ -179,20 +219,16 @@ void CoupledFlow<D>::load(const StateReader& reader) {
   outflow_ = reader.get<double>("coupling/outflow");
   iterations_ = int(water.at(2));
   halvings_ = std::int64_t(water.at(3));
-  const auto nodes = reader.get<std::int64_t>("coupling/nodes");
-  const auto values = reader.get<double>("coupling/nodal_pressure");
-  const auto earlier = reader.get<double>("coupling/earlier_pressure");
-  if (!fits || point_of_.size() != state_.size() || outflow_.size() != surfaces ||
-      nodes.size() != values.size() || nodes.size() != earlier.size()) {
+  if (keeps_increments()) {
+    const auto increments = reader.get<double>("coupling/increment");
+    fits = fits && increments.size() == own_.size() * D * D;
+    if (fits) std::copy(increments.begin(), increments.end(), own_.front().data());
+  }
+  if (!load_nodes(reader) || !fits || point_of_.size() != state_.size() ||
+      outflow_.size() != surfaces) {
     throw RunFault("the checkpoint's pore water does not match this deck");
   }
   update_gains();
-  nodal_.assign(nodal_.size(), 0.0);
-  earlier_.assign(earlier_.size(), 0.0);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    nodal_.at(std::size_t(nodes[n])) = values[n];
-    earlier_.at(std::size_t(nodes[n])) = earlier[n];
-  }
 }
 
 template class CoupledFlow<2>;

@@ -16,7 +16,7 @@ namespace scree {
 template <int D>
 struct SurfacePoint {
   PressureNode<D> cell;
-  std::array<double, D> xi;  ///< position within the cell, in [0, 1)
+  std::array<double, D> xi;  ///< position within the cell, in [0, 1) but at walls
   double mobility;           ///< [m^2/(Pa s)]
   double fluid_density;      ///< [kg/m^3]
 };

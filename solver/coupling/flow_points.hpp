@@ -45,11 +45,11 @@ template <int D>
 struct FlowPoints {
   using Field = AlignedVector<double>;
   std::array<Field, D> local;  ///< position in cells from the block's lower corner
-  std::array<Field, D> xi;     ///< position within the point's pressure cell, in [0, 1)
-  std::array<Field, D> half;   ///< half the sides of its box, in pressure cells
-  Field volume;                ///< present volume [m^3] (2D: m^2)
-  Field capacity;              ///< volume/M [m^3/Pa]
-  Field mobility;              ///< [m^2/(Pa s)]
+  std::array<Field, D> xi;    ///< position within the point's pressure cell, in [0, 1) but at walls
+  std::array<Field, D> half;  ///< half the sides of its box, in pressure cells
+  Field volume;               ///< present volume [m^3] (2D: m^2)
+  Field capacity;             ///< volume/M [m^3/Pa]
+  Field mobility;             ///< [m^2/(Pa s)]
   Field content;  ///< capacity p - alpha d [m^3]: p pressure at the step's start, d volume change
                   ///< of the last step that tr(dt grad v) missed
   std::vector<std::int64_t> id;

@@ -31,12 +31,21 @@ void PointOrder<D>::find_keys(const FlowChunk<D>& chunk, const PressureLattice<D
   const double per = 1.0 / lattice.spacing();  // exact: 1 or 1/2
   for (std::size_t i = 0; i < std::size_t(count); i += width) {
     Wide key = broadcast<Wide>(0.0);
-    for (std::size_t a = 0; a < D; ++a) {
-      const double corner = block_cells * chunk.block[a];
-      const Wide y = (load<Wide>(local_[a].data() + i) + corner - lattice.offset()) * per;
-      const Wide cell = floor(y);
-      store(xi_[a].data() + i, y - cell);
-      key = key * double(cells) + (cell - double(chunk.first_cell(int(a), lattice.spacing())));
+    for (int a = 0; a < D; ++a) {
+      // All from the block's corner, whose cell is a whole number: the cell and the lowest velocity
+      // node of a point then round alike.
+      const int corner = block_cells * chunk.block[std::size_t(a)];
+      const double cell_at_corner = corner * per;
+      double* local = local_[std::size_t(a)].data() + i;
+      const Wide u =
+          min(max(load<Wide>(local), lattice.limit(a, 0) - corner), lattice.limit(a, 1) - corner);
+      store(local, u);
+      const Wide y = (u - lattice.offset()) * per, own = floor(y);
+      const Wide cell = select(u >= lattice.first_from(a) - corner,
+                               max(own, lattice.first_cell() - cell_at_corner), own);
+      store(xi_[std::size_t(a)].data() + i, y - cell);
+      key =
+          key * double(cells) + (cell + (cell_at_corner - chunk.first_cell(a, lattice.spacing())));
     }
     alignas(64) double keys[width];
     store(keys, key);

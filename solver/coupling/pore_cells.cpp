@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <limits>
 
 namespace scree {
 namespace {
@@ -16,6 +18,7 @@ struct Slice {
   double hat[2];                  ///< of 1 - x and x
   double share;                   ///< of the box's length
   std::int32_t shift;             ///< of the cell, from the particle's
+  double from, to;                ///< of the box, in the particle's cell
 };
 
 /// From the share and the means of x and x^2 over the part.
@@ -24,7 +27,9 @@ Slice slice(std::int32_t shift, double share, double mean, double square) {
   return {{share - 2 * first + second, first - second, second, 0},
           {share - first, first},
           share,
-          shift};
+          shift,
+          0,
+          0};
 }
 
 /// A part from a to b in the coordinate of the cell; `per`: 1 over the length of the box.
@@ -32,20 +37,49 @@ Slice part(std::int32_t shift, double a, double b, double per) {
   return slice(shift, (b - a) * per, 0.5 * (a + b), (a * a + a * b + b * b) / 3);
 }
 
-/// A box from xi - half to xi + half, cut at whole numbers. Thinner parts than rounding are left.
-int cut(double xi, double half, Slice (&slices)[4]) {
-  const double lower = xi - half, upper = xi + half;
-  if (lower >= 0 && upper <= 1) {
-    slices[0] = slice(0, 1, xi, xi * xi + half * half / 3);
-    return 1;
-  }
-  const double per = 0.5 / half, least = 1e-12;
+/// The parts of a box in one axis.
+struct Slices {
+  Slice at[8];
   int count = 0;
-  for (std::int32_t c = std::int32_t(std::floor(lower)); c < upper && count < 4; ++c) {
-    const double a = std::max(lower - c, 0.0), b = std::min(upper - c, 1.0);
-    if (b - a > least) slices[count++] = part(c, a, b, per);
+};
+
+/// Cuts a box from `lower` to `upper`, part of one whose length is 1/per, at whole numbers; no cell
+/// is lower than `first`. Thinner parts than rounding are left. `image`: the wall beyond which the
+/// box is an image of what was meant; infinite: it is none.
+void cut(double lower, double upper, double per, std::int32_t first, double image, Slices& slices) {
+  constexpr double least = 1e-12;
+  for (std::int32_t c = std::max(std::int32_t(std::floor(lower)), first); c < upper; ++c) {
+    const double from = c == first ? lower : std::max(lower, double(c));
+    const double to = std::min(upper, c + 1.0);
+    if (to - from <= least || slices.count == int(std::size(slices.at))) continue;
+    Slice& s = slices.at[slices.count++] = part(c, from - c, to - c, per);
+    s.from = std::isfinite(image) ? 2 * image - to : from;
+    s.to = std::isfinite(image) ? 2 * image - from : to;
   }
-  return count;
+}
+
+/// A box from xi - half to xi + half, cut at the cells' faces. What lies beyond a wall is folded
+/// back to where the image's box, whose particle is not there, would lie within.
+void cut(double xi, double half, const PoreAxis& axis, Slices& slices) {
+  slices.count = 0;
+  const double lower = xi - half, upper = xi + half;
+  if (lower >= axis.whole[0] && upper <= axis.whole[1]) {
+    slices.at[slices.count++] = slice(0, 1, xi, xi * xi + half * half / 3);
+    slices.at[0].from = lower;
+    slices.at[0].to = upper;
+    return;
+  }
+  const double per = 0.5 / half;
+  const double from = std::max(lower, axis.wall[0]), to = std::min(upper, axis.wall[1]);
+  cut(from, to, per, axis.first, std::numeric_limits<double>::infinity(), slices);
+  if (lower < axis.wall[0]) {
+    const double w = axis.wall[0];
+    cut(std::max(w, 2 * w - upper), 2 * w - lower, per, axis.first, w, slices);
+  }
+  if (upper > axis.wall[1]) {
+    const double w = axis.wall[1];
+    cut(2 * w - upper, std::min(w, 2 * w - lower), per, axis.first, w, slices);
+  }
 }
 
 void add_line(double scale, const double* products, double* sums) {
@@ -150,6 +184,17 @@ auto PoreCells<D>::surroundings(const PressureNode<D>& home) const -> Surroundin
     for (int a = D - 1, rest = n; a >= 0; --a, rest /= 3) cell[std::size_t(a)] += rest % 3 - 1;
     around.number[n] = number_[std::size_t(lattice_.index(cell))];
   }
+  for (int a = 0; a < D; ++a) {
+    PoreAxis& axis = around.axis[a];
+    const std::int32_t at = home[std::size_t(a)];
+    for (int side = 0; side < 2; ++side) {
+      axis.wall[side] = lattice_.coordinate(lattice_.wall(a, side)) - at;
+    }
+    axis.first = lattice_.ends_at_wall(a) ? std::min(lattice_.first_cell() - at, 0)
+                                          : std::numeric_limits<std::int32_t>::min();
+    axis.whole[0] = std::max(axis.first == 0 ? axis.wall[0] : 0.0, axis.wall[0]);
+    axis.whole[1] = std::min(axis.wall[1], 1.0);
+  }
   return around;
 }
 
@@ -191,13 +236,13 @@ void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, d
 template <int D>
 void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
                             const Surroundings& around, double h, const Weight& weight) {
-  Slice slices[D][4];
-  int count[D], parts = 1;
+  Slices slices[D];
+  int parts = 1;
   double pull[D];
   const double conductance = points.volume[point] * points.mobility[point] / h;
   for (std::size_t a = 0; a < D; ++a) {
-    count[a] = cut(points.xi[a][point], points.half[a][point], slices[a]);
-    parts *= count[a];
+    cut(points.xi[a][point], points.half[a][point], around.axis[a], slices[a]);
+    parts *= slices[a].count;
     pull[a] = conductance * weight[a];
   }
   int at[D] = {};
@@ -207,12 +252,12 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
     int near = 0;
     bool beside = true;
     for (int a = 0; a < D; ++a) {
-      s[a] = &slices[a][at[a]];
+      s[a] = &slices[a].at[at[a]];
       near = 3 * near + s[a]->shift + 1;
       beside = beside && std::abs(s[a]->shift) <= 1;
     }
     for (int a = D - 1; a >= 0; --a) {  // counts up
-      if (++at[a] < count[a]) break;
+      if (++at[a] < slices[a].count) break;
       at[a] = 0;
     }
     std::int32_t number = beside ? around.number[near] : -1;
@@ -224,8 +269,7 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
     if (number < 0) {  // no particle there
       number = around.number[power(3, D) / 2];
       for (std::size_t a = 0; a < D; ++a) {
-        const double b = s[a]->shift, xi = points.xi[a][point], half = points.half[a][point];
-        extended[a] = part(0, std::max(xi - half, b), std::min(xi + half, b + 1), 0.5 / half);
+        extended[a] = part(0, s[a]->from, s[a]->to, 0.5 / points.half[a][point]);
         s[a] = &extended[a];
       }
     }

@@ -11,6 +11,13 @@
 
 namespace scree {
 
+/// An axis as the points of a pressure cell see it, in coordinates of the cell.
+struct PoreAxis {
+  double wall[2];      ///< infinite where there is none
+  std::int32_t first;  ///< lowest cell that holds soil
+  double whole[2];     ///< a box between these lies in the cell
+};
+
 /// Storage and flow of the water, cell by cell of the pressure lattice:
 ///
 ///     S_jl = sum_p V_p (1/M)_p N_j N_l,      H_jl = sum_p k_p int grad N_j . grad N_l,
@@ -19,6 +26,7 @@ namespace scree {
 /// faces: with points alone, a surface that cuts a cell leaves a wrong share of the soil in it, and
 /// the flow through the surface is wrong by that share. Where a box reaches into a cell that holds
 /// no particle, the hats of the particle's own cell go on, so that no node is used that has none.
+/// What of a box lies beyond a wall is folded back.
 /// The storage stays with the points, like the pressure that the particles carry: a box would
 /// spread it anew every step. The storage is never lumped: lumped, it is wrong by some percent of
 /// the load beside a drain. Products of hats are products of quadratic polynomials an axis, of
@@ -59,6 +67,7 @@ class PoreCells {
   struct Surroundings {
     PressureNode<D> home;
     std::int32_t number[power(3, D)];
+    PoreAxis axis[D];
   };
 
   Surroundings surroundings(const PressureNode<D>& home) const;

@@ -142,11 +142,6 @@ class Checker {
              "the pressure is",
              "mass", "set damping = { type = \"mass\", value = ... } (1/s), or remove it");
     }
-    if (deck_.method.volumetric_locking != VolumetricLocking::none) {
-      report({"method", "volumetric_locking"},
-             "does not go with [coupling], whose pressures have a grid of their own", "none",
-             "remove it");
-    }
     const int spacing = deck_.coupling->pressure_spacing;
     for (int axis = 0; axis < deck_.domain.dimension; ++axis) {
       if (deck_.boundary.face(axis, 0).type != FaceType::periodic) continue;

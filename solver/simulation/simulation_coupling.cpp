@@ -16,15 +16,19 @@ void SimulationImpl<D, T>::make_flow() {
   if (backend_->updated_grid().velocities == nullptr) {
     throw UserError("coupling is computed by the processor; use the backend cpu");
   }
-  if (averages()) throw UserError("volumetric_locking does not go with coupling");
   FlowDomain<D> domain;
   domain.kernel = setup_.kernel;
   domain.transfer = setup_.transfer;
   domain.lower = setup_.lower;
   domain.cell_size = setup_.cell_size;
+  domain.own_increments = averages();
   for (int a = 0; a < D; ++a) {
     domain.cells[std::size_t(a)] = domain_.cells[a];
     domain.periodic[std::size_t(a)] = setup_.faces[std::size_t(a)][0] == FaceType::periodic;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const FaceType type = setup_.faces[std::size_t(a)][side];
+      domain.walls[std::size_t(a)][side] = type != FaceType::open && type != FaceType::periodic;
+    }
   }
   std::vector<FlowBody> bodies;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -143,6 +147,9 @@ void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& b
       const std::int64_t id = store.ids(b)[lane + i];
       increments.point[i] = point;
       points.id[std::size_t(point)] = id;
+      for (std::size_t k = 0; k < D * D && flow_->keeps_increments(); ++k) {
+        increments.value[k][i] = flow_->increment(id)[k];
+      }
       if (!points.loaded.empty()) points.loaded[std::size_t(point)] = external_->loaded(id) ? 1 : 0;
     }
     flow_->fill(increments, chunk.body);

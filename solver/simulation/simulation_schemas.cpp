@@ -162,8 +162,9 @@ void add_choices(Schema<MethodSpec>& s) {
       .doc(
           "fbar: laws see changes of volume averaged over the nodes around a particle, so that "
           "nearly incompressible materials (plastic flow without change of volume, undrained clay, "
-          "Poisson's ratio near 0.5) flow under their own load, not a multiple of it. Computed by "
-          "the processor, in separate passes; not with [coupling].");
+          "Poisson's ratio near 0.5) flow under their own load, not a multiple of it. With "
+          "[coupling] it is the effective stress that sees them; the volume of the pores is the "
+          "particle's own. Computed by the processor, in separate passes.");
   s.flag("deterministic", &MethodSpec::deterministic)
       .fallback(false)
       .doc(

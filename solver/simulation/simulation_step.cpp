@@ -4,7 +4,9 @@
 
 #include "materials/registry.hpp"
 #include "solver/base/error.hpp"
+#include "solver/coupling/coupled_flow.hpp"
 #include "solver/simulation/fault_text.hpp"
+#include "solver/simulation/flow_increments.hpp"
 #include "solver/simulation/simulation_impl.hpp"
 
 namespace scree {
@@ -73,6 +75,10 @@ template <int D, class T>
 void SimulationImpl<D, T>::average_volumes(const Parameters& pass) {
   if (!averages()) return;
   const auto start = Clock::now();
+  for (std::size_t b = 0; flow_ && b < bodies_.size(); ++b) {
+    if (!flow_->has_water(std::int32_t(b))) continue;
+    note_increments(bodies_[b].body->store(), layout_.increment, *flow_, executor_.pool());
+  }
   backend_->average_volumes(pass);
   check_fault(backend_->report().fault);
   time_phase(Phase::particles, start);

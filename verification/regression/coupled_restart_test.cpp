@@ -18,7 +18,7 @@ namespace scree::testing {
 namespace {
 
 /// A slump that drains, presses on a collider and leaves through an open face.
-SimulationSetup scene(int dimension, int spacing, bool periodic) {
+SimulationSetup scene(int dimension, int spacing, bool periodic, VolumetricLocking locking) {
   const double dx = 0.1, between = dx / 2;
   SimulationSetup setup = make_setup(dimension, {}, dx, {12, 8, 4});
   setup.gravity = [](double) { return std::array<double, 3>{0, -9.81, 0}; };
@@ -44,6 +44,7 @@ SimulationSetup scene(int dimension, int spacing, bool periodic) {
   post.contact.type = ContactType::friction;
   post.contact.coefficient = 0.4;
   setup.colliders.push_back(post);
+  setup.volumetric_locking = locking;
   setup.coupling.emplace();
   setup.coupling->pressure_spacing = spacing;
   DrainageSetup top;
@@ -61,11 +62,13 @@ SimulationSetup scene(int dimension, int spacing, bool periodic) {
 struct Case {
   int dimension, spacing;
   bool periodic;
-  SimulationSetup setup() const { return scene(dimension, spacing, periodic); }
+  VolumetricLocking locking = VolumetricLocking::none;
+  SimulationSetup setup() const { return scene(dimension, spacing, periodic, locking); }
+  bool averages() const { return locking == VolumetricLocking::fbar; }
 };
 /// For the tests' names, which are else its bytes.
 void PrintTo(const Case& c, std::ostream* out) {
-  *out << c.dimension << "D, spacing " << c.spacing;
+  *out << c.dimension << "D, spacing " << c.spacing << (c.averages() ? ", fbar" : "");
 }
 class CoupledRestart : public ::testing::TestWithParam<Case> {};
 
@@ -101,11 +104,14 @@ TEST_P(CoupledRestart, runs_beside_each_other_do_not_meet) {
 
 INSTANTIATE_TEST_SUITE_P(all, CoupledRestart,
                          ::testing::Values(Case{2, 1, false}, Case{2, 2, false}, Case{3, 2, true},
-                                           Case{3, 2, false}),
+                                           Case{3, 2, false},
+                                           Case{2, 2, false, VolumetricLocking::fbar},
+                                           Case{3, 2, true, VolumetricLocking::fbar}),
                          [](const auto& info) {
                            const Case& c = info.param;
                            return "d" + std::to_string(c.dimension) + "_spacing" +
-                                  std::to_string(c.spacing) + (c.periodic ? "_periodic" : "");
+                                  std::to_string(c.spacing) + (c.periodic ? "_periodic" : "") +
+                                  (c.averages() ? "_fbar" : "");
                          });
 
 }  // namespace

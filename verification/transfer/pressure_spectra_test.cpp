@@ -26,6 +26,7 @@ struct Box {
   int particles;  ///< a direction
   double jitter;  ///< of the distance between particles
   Kernel kernel = Kernel::compact;
+  double offset = spacing == 2 && kernel != Kernel::quadratic ? 0 : 0.25;  ///< of the nodes
 
   int pressures() const { return int(std::lround(cells / spacing)); }
 };
@@ -81,12 +82,11 @@ struct Operator {
 
 void add_particle(const Box& box, const reference::Vector& x, double volume, Operator& op) {
   const int d = box.dimension, m = box.pressures();
-  const double offset = box.kernel == Kernel::compact ? 0.25 : 0.5;
   std::vector<int> nodes(std::size_t(power(2, d)), 0);
   std::vector<double> hats(nodes.size(), 1.0);
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     for (int a = 0; a < d; ++a) {
-      const double y = (x[a] - offset) / box.spacing, xi = y - std::floor(y);
+      const double y = (x[a] - box.offset) / box.spacing, xi = y - std::floor(y);
       const bool upper = (k >> a & 1) != 0;
       nodes[k] = nodes[k] * m + wrap(int(std::floor(y)) + (upper ? 1 : 0), m);
       hats[k] *= upper ? xi : 1 - xi;
@@ -193,7 +193,7 @@ TEST(PressureSpectra, NodesEverySecondCellFitEveryKernel) {
   for (const Box& box :
        {Box{2, 8, 2, 3, 0}, Box{2, 8, 2, 3, 0.3}, Box{2, 8, 2, 2, 0.3}, Box{3, 8, 2, 2, 0.3}}) {
     const Spectrum s = spectrum(box);
-    EXPECT_GT(s.lambda, 0.3);  // 0.46 in 2D, 0.34 in 3D
+    EXPECT_GT(s.lambda, 0.3);  // 0.43 to 0.46 in 2D, 0.31 to 0.33 in 3D
     EXPECT_GT(s.beta, 0.65);   // 0.69
   }
   for (const Kernel kernel : {Kernel::quadratic, Kernel::linear}) {

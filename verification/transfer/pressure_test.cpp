@@ -69,13 +69,13 @@ Scene random_scene(int dimension, const Method& method, int spacing) {
 
 reference::PressureStep reference_step(const Scene& scene, int spacing) {
   const SimulationSetup& setup = scene.setup;
-  const bool compact = setup.kernel == KernelType::compact;
+  const double offset = setup.kernel == KernelType::quadratic ? 0.5 : spacing == 1 ? 0.25 : 0.0;
   return {static_cast<reference::Kernel>(setup.kernel),
           setup.transfer == TransferType::mls,
           setup.dimension,
           cell,
           spacing,
-          compact ? 0.25 : 0.5,
+          offset,
           scene.points};
 }
 
