@@ -42,7 +42,7 @@ struct BackendConfig {
   bool deterministic = false;   ///< device, split path: the same bits in every run
   GridDomain<D> domain;
   Faces<D> faces;
-  /// Aux field of the volume ratio that average_volumes() keeps; -1: it is not called.
+  /// First aux field of those that average_volumes() keeps (VolumeFields); -1: it is not called.
   int volume_ratio = -1;
   std::array<double, 3> lower{};  ///< domain's lower corner [m]
   double cell_size = 1;           ///< [m]

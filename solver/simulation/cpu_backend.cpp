@@ -139,13 +139,14 @@ void CpuBackend<D, T>::average_volumes(const Parameters& parameters) {
       grid_.clear(volumes_[c], executor_.pool());
       data.read[c] = data.write[c] = volumes_[c].data();
     }
+    const VolumeFields fields = volume_fields(*bodies_[i].body, config_.volume_ratio);
     for (const auto& colour : blocks_[i].colours) {
-      run_volume_scatter(config_.kernel, executor_, data, config_.volume_ratio, colour);
+      run_volume_scatter(config_.kernel, executor_, data, fields, colour);
     }
     for (int c = 0; c < volume_channels<D>; ++c) {
       form_node_means(grid_, grid_update_.pairs(), volumes_[c], executor_.pool());
     }
-    run_volume_gather(config_.kernel, executor_, data, config_.volume_ratio, blocks_[i].all);
+    run_volume_gather(config_.kernel, executor_, data, fields, blocks_[i].all);
   }
 }
 

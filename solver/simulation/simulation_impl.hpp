@@ -14,6 +14,7 @@
 #include "solver/simulation/simulation_on_device.hpp"
 #include "solver/simulation/step_clock.hpp"
 #include "solver/step/body.hpp"
+#include "solver/step/volume_fields.hpp"
 
 namespace scree {
 
@@ -69,7 +70,7 @@ class SimulationImpl final : public Simulation {
   Faces<D> make_faces() const;
   AuxLayout make_layout() const;
   bool averages() const { return setup_.volumetric_locking == VolumetricLocking::fbar; }
-  int volume_ratio_field() const { return averages() ? layout_.total - 1 : -1; }
+  int volume_ratio_field() const { return averages() ? layout_.total - volume_aux_fields : -1; }
   void start_volume_ratios(State& state);
   std::unique_ptr<Backend<D, T>> make_backend();
   void add_body(const BodySetup& setup, std::int32_t index);

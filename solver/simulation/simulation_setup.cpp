@@ -195,7 +195,7 @@ AuxLayout SimulationImpl<D, T>::make_layout() const {
     layout.external = layout.total;
     layout.total += D;
   }
-  if (averages()) ++layout.total;  // the volume ratio, last
+  if (averages()) layout.total += volume_aux_fields;  // last
   return layout;
 }
 
@@ -257,6 +257,7 @@ template <int D, class T>
 void SimulationImpl<D, T>::start_volume_ratios(State& state) {
   constexpr int width = ParticleStore<D, T>::width;
   ParticleStore<D, T>& store = state.body->store();
+  const VolumeFields fields = volume_fields(*state.body, volume_ratio_field());
   for (const auto& block : store.blocks()) {
     for (std::size_t k = 0; k < block.batches.size(); ++k) {
       const std::int32_t batch = block.batches[k];
@@ -264,7 +265,13 @@ void SimulationImpl<D, T>::start_volume_ratios(State& state) {
       double ratio[width], energy[width];
       state.body->evaluate(store.batch(batch), active, ratio, energy);
       for (int l = 0; l < active; ++l) {
-        store.aux_value(std::int64_t(batch) * width + l, volume_ratio_field()) = T(ratio[l]);
+        const std::int64_t slot = std::int64_t(batch) * width + l;
+        store.aux_value(slot, fields.ratio) = T(ratio[l]);
+        Mat3<double> F = identity3<double>();
+        for (int i = 0; fields.gradient >= 0 && i < 9; ++i) {
+          F(i / 3, i % 3) = double(store.value(slot, fields.gradient + i));
+        }
+        store.aux_value(slot, fields.plastic) = T(std::log(ratio[l] / det(F)));
       }
     }
   }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "solver/base/math.hpp"
+#include "solver/base/tensor.hpp"
 #include "solver/step/particle_ops.hpp"
+#include "solver/step/state_access.hpp"
 #include "solver/step/volume_passes.hpp"
 
 /// Bodies of the assumed deformation gradient (volumetric_locking = "fbar"): between g2p and
@@ -11,10 +13,17 @@
 ///
 /// S q = sum w (sum w V q/sum w V), mean over the lattices, with the particles' present volumes V.
 /// It is the averaging of Zhao, Jiang, Choo, IJNME 124, 2023, applied to the increments (as the
-/// F-bar of Coombs et al., CMAME 333, 2018): j = det(I + dt grad v) - 1 becomes S j.
+/// F-bar of Coombs et al., CMAME 333, 2018): j = det(I + dt grad v) - 1 becomes d + S(j - d).
+///
+/// d is the plastic change of volume of the step before. Only the elastic change makes pressure,
+/// and only that is averaged: dilation differs from particle to particle in a shear band, and were
+/// each given the mean instead of its own, its pressure would rise without end. The plastic change
+/// of this step is not known before the law has been asked; what the delay leaves in the elastic
+/// volume is the difference of two steps' d and does not add up. Grains out of contact (J_e >= 1)
+/// get the mean: their own d would go on by itself.
 ///
 /// What lies in the states already is averaged as far as the material is sheared, since particles
-/// from different places meet: a (S(a s) - s S(a)) comes on top, with s = ln J and a^2 four times
+/// from different places meet: a (S(a s) - s S(a)) comes on top, with s = ln J_e and a^2 four times
 /// the shear strain of the step. At rest it is nothing.
 ///
 /// Weights sum to one on every lattice and V S is symmetric, so the sum of V j over the particles
@@ -76,10 +85,36 @@ struct VolumeIncrement {
   }
 };
 
+/// Volumes of particles before the step.
+template <class V>
+struct ParticleVolume {
+  V ratio;    ///< J
+  V strain;   ///< s = ln J_e
+  V plastic;  ///< ln(J/J_e)
+  V flow;     ///< d, the plastic change of the step before; 0 for grains out of contact
+
+  template <class G>
+  SCREE_FN static ParticleVolume load(const G& g, const typename G::Batch& b,
+                                      const VolumeFields& fields) {
+    const MaskOf<V> active = g.active(b);
+    const V none = broadcast<V>(0), one = broadcast<V>(1);
+    const V J = select(active, g.load_aux(b, fields.ratio), one);
+    if (fields.gradient < 0) return {J, log(J), none, none};
+    const Mat3<V> F = load_state<Mat3<V>, V>(g, b, fields.gradient);
+    const V elastic = log(max(select(active, det(F), one), broadcast<V>(least_ratio)));
+    const V plastic = log(J) - elastic;
+    const V before = select(active, g.load_aux(b, fields.plastic), none);
+    return {J, elastic, plastic, select(elastic < none, plastic - before, none)};
+  }
+
+  /// Of J_e in the logarithm: what is below ends the run by itself (inadmissible_state).
+  static constexpr Scalar<V> least_ratio = Scalar<V>(1e-6);
+};
+
 /// What a particle gives to S, and what S gives it.
 template <class V>
 struct VolumeMeans {
-  V change;  ///< j
+  V change;  ///< j - d
   V strain;  ///< a s
   V share;   ///< a
 };
@@ -92,9 +127,9 @@ SCREE_FN V mixing(const VolumeIncrement<V, D>& increment) {
   return sqrt(min(increment.shear() * Scalar<V>(4), broadcast<V>(Scalar<V>(1))));
 }
 
-/// Particles to nodes. ratio: aux field of the volume ratio J, V = J V0.
+/// Particles to nodes; V = J V0.
 template <class Kernel, class G, int D, class T>
-SCREE_FN void scatter_volumes_block(G& g, const PassData<D, T>& data, int ratio) {
+SCREE_FN void scatter_volumes_block(G& g, const PassData<D, T>& data, const VolumeFields& fields) {
   using V = typename G::V;
   for (int c = 0; c < volume_channels<D>; ++c) g.clear(c);
   g.sync();
@@ -106,10 +141,11 @@ SCREE_FN void scatter_volumes_block(G& g, const PassData<D, T>& data, int ratio)
     transfer_detail::set_zero(none);
     VolumeIncrement<V, D> increment;
     increment.load(g, b, data.layout.increment);
-    const V J = select(active, g.load_aux(b, ratio), broadcast<V>(T(1)));
-    const V volume = select(active, J * data.parameters.particle_volume, broadcast<V>(T(0)));
+    const auto here = ParticleVolume<V>::load(g, b, fields);
+    const V volume =
+        select(active, here.ratio * data.parameters.particle_volume, broadcast<V>(T(0)));
     const V share = mixing(increment);
-    const VolumeMeans<V> own{increment.change(), share * log(J), share};
+    const VolumeMeans<V> own{increment.change() - here.flow, share * here.strain, share};
     const auto point = Kernel::template at<V, D>(u);
     const V live = live_lanes<V>(g, b);
     V q[D];
@@ -147,7 +183,7 @@ SCREE_FN VolumeMeans<V> gather_means(const G& g, const V (&u)[D]) {
 
 /// Nodes to particles: dt grad v with the mean change of volume, and J with it.
 template <class Kernel, class G, int D, class T>
-SCREE_FN void gather_volumes_block(G& g, const PassData<D, T>& data, int ratio) {
+SCREE_FN void gather_volumes_block(G& g, const PassData<D, T>& data, const VolumeFields& fields) {
   using V = typename G::V;
   for (int c = 0; c < volume_channels<D>; ++c) g.stage_in(c);
   g.sync();
@@ -158,18 +194,20 @@ SCREE_FN void gather_volumes_block(G& g, const PassData<D, T>& data, int ratio) 
     load_position(g, b, u);
     VolumeIncrement<V, D> increment;
     increment.load(g, b, data.layout.increment);
-    const V J = select(active, g.load_aux(b, ratio), broadcast<V>(T(1)));
+    const auto here = ParticleVolume<V>::load(g, b, fields);
     const VolumeMeans<V> mean = gather_means<Kernel>(g, u);
-    const V wanted = mean.change + mixing(increment) * (mean.strain - log(J) * mean.share);
+    const V wanted =
+        here.flow + mean.change + mixing(increment) * (mean.strain - here.strain * mean.share);
     const V own = increment.change();
     // A particle that turns inside out within a step has no such root.
     const MaskOf<V> upright = min(own, wanted) > broadcast<V>(T(-1));
-    g.fault(active & !upright, FaultCode::inadmissible_state, J * (T(1) + own), u, b);
+    g.fault(active & !upright, FaultCode::inadmissible_state, here.ratio * (T(1) + own), u, b);
     const MaskOf<V> changes = active & upright;
     const V safe = select(changes, own, none);
     increment.scale(select(changes, (wanted - safe) / (T(1) + safe), none));
     increment.store(g, b, data.layout.increment);
-    g.store_aux(b, ratio, J + select(changes, wanted, none) * J);
+    g.store_aux(b, fields.ratio, here.ratio + select(changes, wanted, none) * here.ratio);
+    g.store_aux(b, fields.plastic, here.plastic);
   });
 }
 

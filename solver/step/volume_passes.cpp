@@ -26,29 +26,30 @@ void with_kernel(KernelType kernel, F&& f) {
 
 template <int D, class T>
 void run_volume_scatter(KernelType kernel, Executor& executor, const PassData<D, T>& data,
-                        int ratio, const std::vector<std::int32_t>& blocks) {
+                        const VolumeFields& fields, const std::vector<std::int32_t>& blocks) {
   with_kernel(kernel, [&](auto k) {
     using Kernel = decltype(k);
-    for_each_block<Kernel>(executor, data, blocks,
-                           [&](auto& group) { scatter_volumes_block<Kernel>(group, data, ratio); });
+    for_each_block<Kernel>(executor, data, blocks, [&](auto& group) {
+      scatter_volumes_block<Kernel>(group, data, fields);
+    });
   });
 }
 
 template <int D, class T>
-void run_volume_gather(KernelType kernel, Executor& executor, const PassData<D, T>& data, int ratio,
-                       const std::vector<std::int32_t>& blocks) {
+void run_volume_gather(KernelType kernel, Executor& executor, const PassData<D, T>& data,
+                       const VolumeFields& fields, const std::vector<std::int32_t>& blocks) {
   with_kernel(kernel, [&](auto k) {
     using Kernel = decltype(k);
     for_each_block<Kernel>(executor, data, blocks,
-                           [&](auto& group) { gather_volumes_block<Kernel>(group, data, ratio); });
+                           [&](auto& group) { gather_volumes_block<Kernel>(group, data, fields); });
   });
 }
 
-#define SCREE_VOLUMES(D, T)                                                                 \
-  template void run_volume_scatter<D, T>(KernelType, Executor&, const PassData<D, T>&, int, \
-                                         const std::vector<std::int32_t>&);                 \
-  template void run_volume_gather<D, T>(KernelType, Executor&, const PassData<D, T>&, int,  \
-                                        const std::vector<std::int32_t>&);
+#define SCREE_VOLUMES(D, T)                                                                      \
+  template void run_volume_scatter<D, T>(KernelType, Executor&, const PassData<D, T>&,           \
+                                         const VolumeFields&, const std::vector<std::int32_t>&); \
+  template void run_volume_gather<D, T>(KernelType, Executor&, const PassData<D, T>&,            \
+                                        const VolumeFields&, const std::vector<std::int32_t>&);
 SCREE_VOLUMES(2, float)
 SCREE_VOLUMES(2, double)
 SCREE_VOLUMES(3, float)

@@ -6,6 +6,7 @@
 
 #include "solver/exec/executor.hpp"
 #include "solver/simulation/method.hpp"
+#include "solver/step/volume_fields.hpp"
 
 namespace scree {
 
@@ -14,15 +15,14 @@ namespace scree {
 template <int D>
 inline constexpr int volume_channels = D == 2 ? 2 : 1;
 
-/// Volumes and their changes to nodes over the blocks of one colour. ratio: aux field of the volume
-/// ratio.
+/// Volumes and their changes to nodes over the blocks of one colour.
 template <int D, class T>
 void run_volume_scatter(KernelType kernel, Executor& executor, const PassData<D, T>& data,
-                        int ratio, const std::vector<std::int32_t>& blocks);
+                        const VolumeFields& fields, const std::vector<std::int32_t>& blocks);
 
 /// Mean changes from nodes to the stored dt grad v and the volume ratio, over blocks.
 template <int D, class T>
-void run_volume_gather(KernelType kernel, Executor& executor, const PassData<D, T>& data, int ratio,
-                       const std::vector<std::int32_t>& blocks);
+void run_volume_gather(KernelType kernel, Executor& executor, const PassData<D, T>& data,
+                       const VolumeFields& fields, const std::vector<std::int32_t>& blocks);
 
 }  // namespace scree
