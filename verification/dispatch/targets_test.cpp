@@ -74,7 +74,7 @@ void expect_equal(const Columns& a, const Columns& b, double tolerance) {
 /// Runs a tutorial deck with every target and compares the histories with that of the first.
 void compare(const std::string& deck, const std::string& precision, double tolerance) {
   const std::vector<std::string> targets = runnable();
-  if (targets.size() < 2) GTEST_SKIP() << "this machine runs one target only";
+  if (targets.size() < 2) GTEST_SKIP() << "fewer than two programs that run here";
   const TemporaryFolder folder;
   std::optional<Columns> first;
   for (const std::string& target : targets) {
@@ -103,7 +103,9 @@ TEST(Targets, AgreeInSinglePrecision) { compare("sand_column_2d.toml", "single",
 TEST(Targets, AreWhatTheirNamesSay) {
   const std::map<std::string, std::string> instructions{
       {"x86-64-v2", "SSE4.2"}, {"x86-64-v3", "AVX2"}, {"x86-64-v4", "AVX-512"}};
-  for (const std::string& target : runnable()) {
+  const std::vector<std::string> targets = runnable();
+  if (targets.empty()) GTEST_SKIP() << "no program is built";
+  for (const std::string& target : targets) {
     EXPECT_NE(scree(target, {"info"}).out.find(instructions.at(target)), std::string::npos)
         << target;
   }
