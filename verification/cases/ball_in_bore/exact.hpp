@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Section 6.2.2 of M. Liu, X. Wang, M. Li, CK-MPM, ACM TOG 44(4), 2025: a ball falls through a bore
-// that is 1.25 or 1.5 cells wider than it on every side. If it does not touch, it falls by g t^2/2.
+// that is 1.5 cells wider than it on every side. If it does not touch, it falls by g t^2/2.
 // Bodies feel each other where particles share a node: along an axis, where their centres are less
-// than two cells apart (compact) or three (quadratic), which surfaces 1.5 cells apart are not with
-// two particles a direction, h = dx/2 (2 dx - h; quadratic: 2.5 cells). Aslant nodes are shared
-// from farther away, by weights that fall like the third power of the distance to the rim, a
-// product of two of them: next to nothing.
+// than two cells apart (compact) or three (quadratic). Surfaces 1.5 cells apart are not, with two
+// particles a direction, h = dx/2 (2 dx - h; quadratic: 2.5 cells), and in a square bore the
+// nearest faces lie along axes. Aslant, in a round bore, nodes are shared from farther away.
 #pragma once
 
 #include <vector>

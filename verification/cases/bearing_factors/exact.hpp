@@ -44,13 +44,35 @@ struct Case {
     }
     out.value("load", load.back(), exact.back());
     // What is too much, in cells of soil that would have to lie beside the footing to explain it.
-    if (weight) out.value("excess", (load.back() - exact.back()) / (Nq * run.number("cell") / b));
+    if (weight) {
+      const double excess = load.back() - exact.back();
+      out.value("excess", excess / (Nq * run.number("cell") / b));
+      out.value("excess load", excess / rough_factor_gamma(run.number("degrees")));
+    }
     const std::size_t early = load.size() - 1 - load.size() / 6;
     out.value("rise at the end", load.back() / load[early] - 1);
     out.figure(weight ? "Load by the weight" : "Load beside a surcharge",
                "settlement over half width", weight ? "load over rho g b" : "load over surcharge")
         .computed(settlement, load)
         .exact(settlement, exact, weight ? "Martin 2005" : "Prandtl, Reissner");
+  }
+
+  /// N_gamma for cells of no size, by the line through the two finest runs of the weight with fbar.
+  static void compare(const std::vector<const Run*>& runs, Measured& out) {
+    std::vector<double> cells, factors;
+    double exact = 0;
+    for (const Run* run : runs) {
+      if (run->text("kind") != "weight" || run->text("locking") != "fbar") continue;
+      const double b = run->number("b"), load = run->history.back().collider_force_torque.at(0)[1];
+      factors.push_back(load / (b * run->number("unit")) -
+                        factor_q(run->number("phi")) * run->number("sink"));
+      cells.push_back(run->number("cell"));
+      exact = rough_factor_gamma(run->number("degrees"));
+    }
+    const std::size_t n = cells.size();
+    if (n < 2) return;
+    const double slope = (factors[n - 2] - factors[n - 1]) / (cells[n - 2] - cells[n - 1]);
+    out.value("N_gamma, extrapolated", factors[n - 1] - slope * cells[n - 1], exact);
   }
 };
 

@@ -82,6 +82,7 @@ struct Case {
     }
     out.value("map error", off);
     out.value("kept", kept / norm, kept_exactly / norm);
+    out.value("lost", 1 - kept / norm);
     out.figure("Velocity after a step", "x (cells)", "over that of the wave before")
         .particles(place, got)
         .exact(place, wanted);
