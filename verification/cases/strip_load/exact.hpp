@@ -94,7 +94,6 @@ struct Case {
       if (y > exact.height - exact.strip) continue;
       if (std::max(x, y) < run.number("cell")) {
         corner = std::max(corner, std::abs(value - wanted));
-        continue;
       }
       deep += (value - wanted) * (value - wanted);
       ++count;
