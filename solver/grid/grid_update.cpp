@@ -99,7 +99,8 @@ void GridUpdate<D, T>::add_forces(const Grid<D, T>& grid, std::int64_t block, T*
   }
 }
 
-/// Blocks without mass, which lie around every body, have nothing to fold.
+/// Blocks without mass, which lie around every body, have nothing to fold. (But beyond periodic
+/// faces: what binning has moved to the images already is still read there.)
 template <int D, class T>
 void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
   occupied_.assign(block_mass_.size(), 0);
@@ -109,7 +110,9 @@ void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
   for (int stage = 0; stage < fold_stages; ++stage) {
     for (int axis = 0; axis < D; ++axis) {
       for (const FaceRun& run : runs_[axis]) {
-        if (fold_stage(faces_.type[axis][run.side], faces_.no_slip) != stage) continue;
+        const FaceType type = faces_.type[axis][run.side];
+        if (fold_stage(type, faces_.no_slip) != stage) continue;
+        if (type == FaceType::periodic) occupied_[std::size_t(run.block)] = 1;
         if (occupied_[std::size_t(run.block)] != 0) {
           fold_run(axis, run, p, separate ? q : nullptr);
         } else {
