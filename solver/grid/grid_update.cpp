@@ -99,20 +99,20 @@ void GridUpdate<D, T>::add_forces(const Grid<D, T>& grid, std::int64_t block, T*
   }
 }
 
-/// Blocks without mass, which lie around every body, have nothing to fold. (But beyond periodic
-/// faces: what binning has moved to the images already is still read there.)
+/// Blocks without mass, which lie around every body, have nothing to fold. (Not so with periodic
+/// faces: what lay beyond them binning has moved to the images, and it is still read there.)
 template <int D, class T>
 void GridUpdate<D, T>::fold(T* p, T* q, bool separate) {
+  bool periodic = false;
+  for (const auto& axis : faces_.type) periodic = periodic || axis[0] == FaceType::periodic;
   occupied_.assign(block_mass_.size(), 0);
   for (const std::int64_t b : face_blocks_) {
-    occupied_[std::size_t(b)] = block_mass_[std::size_t(b)] > 0;
+    occupied_[std::size_t(b)] = periodic || block_mass_[std::size_t(b)] > 0;
   }
   for (int stage = 0; stage < fold_stages; ++stage) {
     for (int axis = 0; axis < D; ++axis) {
       for (const FaceRun& run : runs_[axis]) {
-        const FaceType type = faces_.type[axis][run.side];
-        if (fold_stage(type, faces_.no_slip) != stage) continue;
-        if (type == FaceType::periodic) occupied_[std::size_t(run.block)] = 1;
+        if (fold_stage(faces_.type[axis][run.side], faces_.no_slip) != stage) continue;
         if (occupied_[std::size_t(run.block)] != 0) {
           fold_run(axis, run, p, separate ? q : nullptr);
         } else {
