@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "verification/support/effort.hpp"
 #include "verification/support/random.hpp"
 #include "verification/support/scene.hpp"
 
@@ -114,7 +115,7 @@ SimulationSetup domain(const Case& c, bool whole) {
   setup.coupling->pressure_spacing = 2;
   setup.coupling->tolerance = 1e-14;
   setup.coupling->preconditioner = "icc";
-  set_steps(setup, 50, 4e-4);
+  set_steps(setup, effort(50), 4e-4);
   return setup;
 }
 
