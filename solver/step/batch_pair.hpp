@@ -13,7 +13,10 @@ template <class Batch, int n>
 struct BatchSet {
   static constexpr int size = n;
   Batch batch[n];
-  int parts;
+  int parts;  ///< 1 .. n
+
+  /// Whether batch i is there; the first always is, which the compiler should know.
+  SCREE_FN bool holds(int i) const { return i == 0 || i < parts; }
 };
 
 /// Two batches of a group as one of twice the lanes, for what has no neighbours: a law is a long

@@ -178,12 +178,12 @@ SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
   g.template each_set<size>([&](const BatchSet<typename G::Batch, size>& set) {
     Underway<V, D> p[size];
     SCREE_UNROLL_ON_DEVICE for (int i = 0; i < size; ++i) {
-      if (i < set.parts) gather_and_move<Kernel>(g, set.batch[i], par, p[i]);
+      if (set.holds(i)) gather_and_move<Kernel>(g, set.batch[i], par, p[i]);
     }
     if (set.parts < size) p[size - 1] = p[0];
     const auto tau = update_together<Material>(g, set, par, material, p);
     SCREE_UNROLL_ON_DEVICE for (int i = 0; i < size; ++i) {
-      if (i < set.parts) {
+      if (set.holds(i)) {
         return_to_grid<Kernel>(g, set.batch[i], data, p[i], part_of<size>(tau, i));
       }
     }
