@@ -7,7 +7,8 @@
 #     expressions, and the shapes of colliders. solver knows the material contract, the registry, the type-erased point and what is common to laws, never a concrete material; the dispatch in solver/step reads the generated list of them.
 #     The program's main function hands the command of the verification cases to app.
 #  2. Headers of a foreign library stay in one group of files, and out of headers that others include.
-#  3. Sources start with the SPDX line, headers have #pragma once, a file has at most 400 lines.
+#  3. The source of a header includes it before all others, which shows that the header needs nothing before it.
+#  4. Sources start with the SPDX line, headers have #pragma once, a file has at most 400 lines.
 cmake_minimum_required(VERSION 3.25)
 
 set(max_lines 400)
@@ -109,6 +110,19 @@ function(check_form file text)
   set(breaches ${breaches} PARENT_SCOPE)
 endfunction()
 
+# Of a source x.cpp with a header x.hpp the first include is that header.
+function(check_own_header file text)
+  string(REGEX REPLACE "\\.cpp$" ".hpp" header "${file}")
+  if(NOT file MATCHES "\\.cpp$" OR NOT EXISTS "${ROOT}/${header}")
+    return()
+  endif()
+  string(REGEX MATCH "\n[ \t]*#[ \t]*include[ \t]*[\"<]([^\">]+)" first "${text}")
+  if(NOT CMAKE_MATCH_1 STREQUAL header)
+    report(${file} 1 "the first include must be \"${header}\"")
+  endif()
+  set(breaches ${breaches} PARENT_SCOPE)
+endfunction()
+
 # Calls the checks for every #include line. Line numbers are found by counting the line ends before the match.
 function(check_includes file text)
   set(line 0)
@@ -142,6 +156,7 @@ endif()
 foreach(file IN LISTS files)
   file(READ "${ROOT}/${file}" text)
   check_form(${file} "${text}")
+  check_own_header(${file} "${text}")
   check_includes(${file} "${text}")
 endforeach()
 

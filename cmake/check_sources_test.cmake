@@ -26,6 +26,8 @@ file(WRITE "${WORK}/good/solver/step/list.cpp" "${spdx}#include \"generated/mate
 file(WRITE "${WORK}/good/solver/io/c.cpp" "${spdx}#include <hdf5.h>\n#include <vtkPoints.h>\n")
 file(WRITE "${WORK}/good/postproc/d.cpp" "${spdx}#include \"solver/io/c.hpp\"\n")
 file(WRITE "${WORK}/good/app/e.cpp" "${spdx}#include <CLI/CLI.hpp>\n#include \"postproc/d.hpp\"\n")
+file(WRITE "${WORK}/good/solver/base/f.hpp" "${head}")
+file(WRITE "${WORK}/good/solver/base/f.cpp" "${spdx}// Words.\n#include \"solver/base/f.hpp\"\n\n#include <vector>\n")
 run_check("${WORK}/good" status output)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "a tree without a breach was rejected:\n${output}")
@@ -52,6 +54,8 @@ set(cases
     "verification/unit/rate.cpp|${spdx}#include <benchmark/benchmark.h>\n|verification/unit/rate.cpp:2: <benchmark/benchmark.h> belongs to GoogleBenchmark"
     "solver/grid/license.cpp|#define A 0\n|solver/grid/license.cpp:1: the first line must be"
     "solver/grid/twice.hpp|${spdx}#define A 0\n|solver/grid/twice.hpp:1: a header needs #pragma once"
+    "solver/base/late.hpp|${spdx}#define A 0\n|solver/base/late.hpp:1: a header needs #pragma once"
+    "solver/base/late.cpp|${spdx}#include <vector>\n#include \"solver/base/late.hpp\"\n|solver/base/late.cpp:1: the first include must be \"solver/base/late.hpp\""
     "solver/grid/long.cpp|${spdx}${many_lines}|solver/grid/long.cpp:401: 401 lines")
 foreach(case IN LISTS cases)
   string(REPLACE "|" ";" parts "${case}")
