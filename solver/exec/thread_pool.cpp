@@ -16,7 +16,7 @@ void pause() {
 
 }  // namespace
 
-ThreadPool::ThreadPool(int threads) {
+ThreadPool::ThreadPool(int threads) : parts_(std::size_t(std::max(threads, 1))) {
   // A pause is 10 to 40 ns.
   if (unsigned(std::max(threads, 1)) <= std::thread::hardware_concurrency()) looks_ = 1000;
   for (int t = 1; t < std::max(threads, 1); ++t) workers_.emplace_back([this, t] { work(t); });
@@ -50,9 +50,11 @@ void ThreadPool::for_each(std::int64_t count, const std::function<void(std::int6
   {
     const std::lock_guard lock(mutex_);
     job_ = &f;
-    count_ = count;
     chunk_ = chunk;
-    next_.store(0);
+    for (std::int64_t t = 0; t < size(); ++t) {
+      parts_[std::size_t(t)].next.store(count * t / size());
+      parts_[std::size_t(t)].end = count * (t + 1) / size();
+    }
     running_ = static_cast<int>(workers_.size());
     ++generation_;
   }
@@ -69,16 +71,21 @@ void ThreadPool::for_each(std::int64_t count, const std::function<void(std::int6
 
 void ThreadPool::run_chunks(int thread) {
   try {
-    for (;;) {
-      const std::int64_t begin = next_.fetch_add(chunk_);
-      if (begin >= count_) return;
-      const std::int64_t end = std::min(begin + chunk_, count_);
-      for (std::int64_t i = begin; i < end; ++i) (*job_)(i, thread);
+    for (int other = 0; other < size(); ++other) {
+      run_part(parts_[std::size_t((thread + other) % size())], thread);
     }
   } catch (...) {
     const std::lock_guard lock(mutex_);
     if (!failure_) failure_ = std::current_exception();
-    next_.store(count_);
+    for (Part& part : parts_) part.next.store(part.end);
+  }
+}
+
+void ThreadPool::run_part(Part& part, int thread) {
+  while (part.next.load() < part.end) {
+    const std::int64_t begin = part.next.fetch_add(chunk_);
+    const std::int64_t end = std::min(begin + chunk_, part.end);
+    for (std::int64_t i = begin; i < end; ++i) (*job_)(i, thread);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "verification/cases/angular_momentum/exact.hpp"
 #include "verification/cases/manufactured_solution/exact.hpp"
@@ -60,19 +61,24 @@ TEST(CaseForms, cylinder_is_in_balance_and_compatible) {
   EXPECT_NEAR(cylinder.displacement(r) / r, strain, 1e-12);
 }
 
-/// Momentum of the manufactured motion: rho u_tt = dP/dX + rho b with the body force of case.toml.
+/// Momentum of the manufactured motion, in the square and in the cube: rho u_tt = dP/dX + rho b
+/// with the body force of case.toml.
 TEST(CaseForms, manufactured_body_force_balances_momentum) {
   const double E = 1e7, nu = 0.3, rho = 1e3, A = 0.05, pi = std::numbers::pi;
   const double lambda = E * nu / ((1 + nu) * (1 - 2 * nu)), mu = E / (2 * (1 + nu));
   const manufactured_solution::Motion motion{A, pi * std::sqrt(E / rho)};
-  const double X[2] = {0.3, 0.2}, t = 0.0013, e = 1e-5;
+  const double X[3] = {0.3, 0.2, 0.8}, t = 0.0013, e = 1e-5;
   const auto u = [&](int a, double x, double time) { return motion.displacement(a, x, time); };
   const auto stretch = [&](int a, double x) {
     return 1 + (u(a, x + e, t) - u(a, x - e, t)) / (2 * e);
   };
-  for (int a = 0; a < 2; ++a) {
-    const double other = stretch(1 - a, X[1 - a]);
-    const auto P = [&](double x) {
+  constexpr std::pair<int, int> dimensions_and_axes[] = {{2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}};
+  for (const auto& [dimension, a] : dimensions_and_axes) {
+    double other = 1;
+    for (int axis = 0; axis < dimension; ++axis) {
+      if (axis != a) other *= stretch(axis, X[axis]);
+    }
+    const auto P = [&, a = a](double x) {
       const double F = stretch(a, x);
       return mu * (F - 1 / F) + lambda * std::log(F * other) / F;
     };
@@ -82,7 +88,7 @@ TEST(CaseForms, manufactured_body_force_balances_momentum) {
     const double F = stretch(a, X[a]), lnJ = std::log(F * other);
     const double b = pi * pi * u(a, X[a], t) / rho * ((lambda * (1 - lnJ) + mu) / (F * F) + mu - E);
     const double slope = (P(X[a] + 1e-4) - P(X[a] - 1e-4)) / 2e-4;
-    EXPECT_NEAR((rho * acceleration - slope) / (rho * b), 1, 1e-4) << a;
+    EXPECT_NEAR((rho * acceleration - slope) / (rho * b), 1, 1e-4) << dimension << ' ' << a;
   }
 }
 

@@ -9,7 +9,8 @@
 // -pi^2 E/rho0 u, needs the body force per mass
 //   b_i = pi^2 u_i/rho0 ( (lambda (1 - ln J) + mu)/F_ii^2 + mu - E ),
 // which stands in case.toml. The faces do not move: u_i = 0 on X_i = 0 and 1, and no shear acts on
-// them, so they are planes of symmetry.
+// them, so they are planes of symmetry. In the unit cube (manufactured_solution_3d) phi_z = 0 and
+// J = F_xx F_yy F_zz.
 #pragma once
 
 #include <algorithm>
@@ -25,14 +26,16 @@ namespace scree::verify::cases::manufactured_solution {
 struct Motion {
   double amplitude, frequency;  ///< m, rad/s
 
-  /// Displacement along an axis (0 or 1) of the point that was at X along it.
+  /// Displacement along an axis of the point that was at X along it.
   double displacement(int axis, double X, double t) const {
-    const double sign = axis == 0 ? 1 : -1;  // sin(w t + pi) = -sin(w t)
+    const double sign = axis == 1 ? -1 : 1;  // sin(w t + pi) = -sin(w t)
     return sign * amplitude * std::sin(std::numbers::pi * X) * std::sin(frequency * t);
   }
 };
 
-struct Case {
+/// In D dimensions.
+template <int D>
+struct MotionCase {
   static void measure(const Run& run, Measured& out) {
     const Motion exact{run.number("A"), run.number("w")};
     double largest = 0;
@@ -41,14 +44,14 @@ struct Case {
       const ParticleFrame frame = run.frame(f);
       double sum = 0;
       for (std::size_t p = 0; p < frame.size(); ++p) {
-        for (int a = 0; a < 2; ++a) {
+        for (int a = 0; a < D; ++a) {
           const double u = frame.x(p)[a] - frame.X(p)[a];
           const double off = u - exact.displacement(a, frame.X(p)[a], frame.time());
           sum += off * off;
         }
       }
       const double norm =
-          std::sqrt(sum / (2 * static_cast<double>(frame.size()))) / exact.amplitude;
+          std::sqrt(sum / (D * static_cast<double>(frame.size()))) / exact.amplitude;
       largest = std::max(largest, norm);
       time.push_back(frame.time() * exact.frequency / (2 * std::numbers::pi));
       error.push_back(norm);
@@ -66,7 +69,10 @@ struct Case {
     const ParticleFrame frame = run.frame(static_cast<int>(run.frames.size()) / 4);
     std::vector<double> X, u, line_x, line_u;
     for (std::size_t p = 0; p < frame.size(); ++p) {
-      if (std::abs(frame.X(p)[1] - 0.5) > 0.5 / run.number("cells")) continue;
+      bool beside = false;
+      for (int a = 1; a < D; ++a)
+        beside = beside || std::abs(frame.X(p)[a] - 0.5) > 0.5 / run.number("cells");
+      if (beside) continue;
       X.push_back(frame.X(p)[0]);
       u.push_back((frame.x(p)[0] - frame.X(p)[0]) / exact.amplitude);
     }
@@ -79,5 +85,7 @@ struct Case {
         .exact(line_x, line_u);
   }
 };
+
+struct Case : MotionCase<2> {};
 
 }  // namespace scree::verify::cases::manufactured_solution
