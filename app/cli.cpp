@@ -139,6 +139,13 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
       ->check(CLI::Range(1, 1'000'000'000))
       ->type_name("N")
       ->excludes(suite);
+  bench
+      .add_option("--per-direction", options.per_direction,
+                  "Particles an axis and cell (default: 2; coupled: 3)")
+      ->check(CLI::Range(1, 10))
+      ->type_name("N")
+      ->excludes(suite);
+  choice("--soil", options.soil, {"fixed_corotated", "drucker_prager"}, "Law of the case coupled");
   choice("--precision", options.precision, {"double", "single"}, "Floating-point type");
   choice("--kernel", options.kernel, {"compact", "quadratic"}, "Interpolation kernel");
   choice("--path", options.path, {"automatic", "fused", "split"}, "How a step is computed");
