@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace scree {
 namespace {
@@ -21,6 +22,8 @@ void PointOrder<D>::resize(int points) {
     xi_[a].resize(room);
   }
   key_.resize(room);
+  part_.resize(room);
+  by_cell_.resize(room);
   place_.resize(room);
 }
 
@@ -29,8 +32,11 @@ void PointOrder<D>::find_keys(const FlowChunk<D>& chunk, const PressureLattice<D
   const int cells = FlowChunk<D>::cells(lattice.spacing());
   const std::int64_t count = chunk.end - chunk.begin;
   const double per = 1.0 / lattice.spacing();  // exact: 1 or 1/2
+  // Half cells of a pressure cell, which may begin within one.
+  const double quarters = 2.0 * lattice.spacing();
+  const double shift = 2 * lattice.offset() - std::floor(2 * lattice.offset());
   for (std::size_t i = 0; i < std::size_t(count); i += width) {
-    Wide key = broadcast<Wide>(0.0);
+    Wide key = broadcast<Wide>(0.0), part = broadcast<Wide>(0.0), half = broadcast<Wide>(0.0);
     for (int a = 0; a < D; ++a) {
       // All from the block's corner, whose cell is a whole number: the cell and the lowest velocity
       // node of a point then round alike.
@@ -43,13 +49,22 @@ void PointOrder<D>::find_keys(const FlowChunk<D>& chunk, const PressureLattice<D
       const Wide y = (u - lattice.offset()) * per, own = floor(y);
       const Wide cell = select(u >= lattice.first_from(a) - corner,
                                max(own, lattice.first_cell() - cell_at_corner), own);
-      store(xi_[std::size_t(a)].data() + i, y - cell);
+      const Wide xi = y - cell;
+      store(xi_[std::size_t(a)].data() + i, xi);
+      const Wide quarter = min(max(floor(xi * quarters + shift), 0.0), 3.0);
+      const Wide upper = select(quarter >= 2.0, broadcast<Wide>(1.0), broadcast<Wide>(0.0));
+      part = part * 2.0 + upper;
+      half = half * 2.0 + (quarter - 2.0 * upper);
       key =
           key * double(cells) + (cell + (cell_at_corner - chunk.first_cell(a, lattice.spacing())));
     }
-    alignas(64) double keys[width];
+    alignas(64) double keys[width], places[width];
     store(keys, key);
-    for (std::size_t l = 0; l < width; ++l) key_[i + l] = std::int32_t(keys[l]);
+    store(places, part * double(1 << D) + half);
+    for (std::size_t l = 0; l < width; ++l) {
+      key_[i + l] = std::int32_t(keys[l]);
+      part_[i + l] = std::uint8_t(places[l]);
+    }
   }
 }
 
@@ -82,12 +97,29 @@ void PointOrder<D>::arrange(FlowChunk<D>& chunk, const PressureLattice<D>& latti
     chunk.runs.push_back(run);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t to = std::size_t(chunk.begin + begin[std::size_t(key_[i])]++);
-    place_[i] = std::int64_t(to);
+    by_cell_[std::size_t(begin[std::size_t(key_[i])]++)] = std::int32_t(i);
+  }
+  for (const FlowRun<D>& run : chunk.runs) order_run(run, chunk.begin);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t to = std::size_t(place_[i]);
     for (std::size_t a = 0; a < D; ++a) {
       points.local[a][to] = local_[a][i];
       points.xi[a][to] = xi_[a][i];
     }
+  }
+}
+
+/// Sets the places of the points of a pressure cell.
+template <int D>
+void PointOrder<D>::order_run(const FlowRun<D>& run, std::int64_t begin) {
+  constexpr std::size_t parts = std::size_t(1) << (2 * D);
+  std::array<std::int32_t, parts + 1> next{};
+  const auto first = by_cell_.begin() + (run.begin - begin);
+  const auto last = by_cell_.begin() + (run.end - begin);
+  for (auto i = first; i < last; ++i) ++next[std::size_t(part_[std::size_t(*i)]) + 1];
+  for (std::size_t k = 0; k < parts; ++k) next[k + 1] += next[k];
+  for (auto i = first; i < last; ++i) {
+    place_[std::size_t(*i)] = run.begin + next[std::size_t(part_[std::size_t(*i)])]++;
   }
 }
 

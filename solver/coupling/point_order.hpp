@@ -9,7 +9,8 @@
 
 namespace scree {
 
-/// Orders the points of a chunk by pressure cell.
+/// Orders the points of a chunk by pressure cell and, within one, by half cell of the velocity's
+/// lattices: points of a half cell touch the same nodes.
 template <int D>
 class PointOrder {
  public:
@@ -27,7 +28,11 @@ class PointOrder {
   void find_keys(const FlowChunk<D>& chunk, const PressureLattice<D>& lattice);
 
   std::array<AlignedVector<double>, D> local_, xi_;
-  std::vector<std::int32_t> key_;  ///< number of the pressure cell among those of the block
+  void order_run(const FlowRun<D>& run, std::int64_t begin);
+
+  std::vector<std::int32_t> key_;      ///< number of the pressure cell among those of the block
+  std::vector<std::uint8_t> part_;     ///< number of the half cell in the pressure cell, as order
+  std::vector<std::int32_t> by_cell_;  ///< points of the block, cell by cell
   std::vector<std::int64_t> place_;
 };
 

@@ -93,6 +93,8 @@ class VolumeOperator {
   void scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk, double biot);
   template <class Kernel, int spacing, class Scratch>
   void flush(const PressureNode<D>& cell, Scratch& scratch);
+  template <int reach>
+  void fetch_group(const PressureNode<D>& cell, int g) const;
 
   // volume_products.cpp
   template <int N>

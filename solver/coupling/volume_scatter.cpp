@@ -15,34 +15,6 @@ namespace {
 
 typedef double Pair __attribute__((vector_size(16), aligned(8), may_alias));
 
-/// Sets the nodes that points within a box touch, from the nodes of its two ends.
-template <class Kernel, int D, int spacing>
-void set_range(const FlowPoints<D>& points, const FlowRun<D>& run,
-               const int (&lowest)[Kernel::lattices][D], CellScratch<Kernel, D, spacing>& scratch) {
-  constexpr int last = CellScratch<Kernel, D, spacing>::extent - 1;
-  double lower[D], upper[D];
-  for (std::size_t a = 0; a < D; ++a) {
-    const double* u = points.local[a].data();
-    const auto ends = std::minmax_element(u + run.begin, u + run.end);
-    lower[a] = *ends.first;
-    upper[a] = *ends.second;
-  }
-  const auto low = Kernel::template at<double, D>(lower);
-  const auto high = Kernel::template at<double, D>(upper);
-  for (int l = 0; l < Kernel::lattices; ++l) {
-    int from = int(low.stencil.base[l]) - l * power(Kernel::arena_extent, D);
-    int to = int(high.stencil.base[l]) - l * power(Kernel::arena_extent, D);
-    for (int a = D - 1; a >= 0; --a) {
-      const int begin = from % Kernel::arena_extent + lowest[l][a];
-      const int end = to % Kernel::arena_extent + Kernel::support - 1 + lowest[l][a];
-      scratch.lower[l][a] = std::int8_t(std::max(begin, 0));
-      scratch.upper[l][a] = std::int8_t(std::min(end, last));
-      from /= Kernel::arena_extent;
-      to /= Kernel::arena_extent;
-    }
-  }
-}
-
 /// The chunks of a body by columns of blocks that differ in the last axis only, in its order: what
 /// one block leaves in the cache the next one finds there. Columns of one colour, the parity of the
 /// other axes, share no node.
@@ -70,50 +42,57 @@ auto columns_of(const FlowPoints<D>& points, std::int32_t body) {
 
 }  // namespace
 
-/// Adds what the points of a cell have brought to a lattice's nodes to the groups around the cell,
-/// and clears it.
+/// Adds what the points of a cell have brought to the nodes to the groups around the cell, and
+/// clears it.
 template <int D>
 template <class Kernel, int spacing, class Scratch>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
 void VolumeOperator<D>::flush(const PressureNode<D>& cell, Scratch& scratch) {
   constexpr int reach = Scratch::reach, extent = Scratch::extent, corners = Scratch::corners;
   constexpr int hats_axis = reach + 1, own = power(spacing, D);
-  const int l = scratch.lattice;
   for (int g = 0; g < power(reach, D); ++g) {
     PressureNode<D> base = cell;
-    int first[D], hat = 0;
-    for (int a = D - 1, rest = g, stride = 1; a >= 0; --a, rest /= reach, stride *= hats_axis) {
-      first[a] = rest % reach * spacing;
+    int first = 0, hat = 0;  // node of the cell, hat of the group
+    for (int a = D - 1, rest = g, stride = 1, nodes = spacing; a >= 0; --a) {
       base[std::size_t(a)] += rest % reach - (reach - 1);
+      first += rest % reach * nodes;
       hat += (reach - 1 - rest % reach) * stride;
+      rest /= reach;
+      stride *= hats_axis;
+      nodes *= extent;
     }
     const std::int32_t group = find_group(base);
-    if (group < 0) continue;
-    for (int s = 0; s < own; ++s) {  // as they lie in memory
-      bool reached = true;
-      int node = 0;
-      for (int a = D - 1, rest = s, stride = 1; a >= 0; --a, rest /= spacing, stride *= extent) {
-        const int at = first[a] + rest % spacing;
-        reached = reached && at >= scratch.lower[l][a] && at <= scratch.upper[l][a];
-        node += at * stride;
-      }
-      const std::size_t place = std::size_t(group) * std::size_t(slots_) + std::size_t(l * own + s);
-      if (!reached || record_[place] < 0) continue;
+    for (int s = 0; s < Kernel::lattices * own && group >= 0; ++s) {  // as they lie in memory
+      const int l = s / own, node = first + change_extent<D, spacing, extent>(s % own);
+      const std::size_t place = std::size_t(group) * std::size_t(slots_) + std::size_t(s);
+      if (!scratch.touched[l][node] || record_[place] < 0) continue;
       double* q = touched(place) + hat;
       for (int a = 0; a < D; ++a) {
-        double* from = scratch.q[node][a];
+        const double* from = scratch.q[l][node][a];
         SCREE_UNROLL for (int k = 0; k < corners; k += 2) {
           Pair& to = *reinterpret_cast<Pair*>(q + change_extent<D, 2, hats_axis>(k));
           to += *reinterpret_cast<const Pair*>(from + k);
         }
-        std::fill(from, from + corners, 0.0);
         q += stride_;
         if (load_.empty()) continue;
-        load_[std::size_t(record_[place]) * D + std::size_t(a)] += scratch.load[node][a];
-        scratch.load[node][a] = 0;
+        load_[std::size_t(record_[place]) * D + std::size_t(a)] += scratch.load[l][node][a];
       }
     }
   }
+  scratch.clear();
+}
+
+/// Asks for Q of the g-th group around a cell.
+template <int D>
+template <int reach>
+void VolumeOperator<D>::fetch_group(const PressureNode<D>& cell, int g) const {
+  PressureNode<D> base = cell;
+  for (int a = D - 1; a >= 0; --a, g /= reach) base[std::size_t(a)] += g % reach - (reach - 1);
+  const std::int32_t group = find_group(base);
+  if (group < 0) return;
+  const std::int64_t size = std::int64_t(slots_) * D * stride_;
+  const double* q = q_.data() + group * size;
+  for (std::int64_t i = 0; i < size; i += 8) __builtin_prefetch(q + i, 0, 2);
 }
 
 /// Adds alpha V g_i N_j of every point of a chunk.
@@ -126,7 +105,6 @@ void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChu
   using Group = PointGroup<Kernel, D>;
   Scratch scratch;
   Group group;
-  NodeOrder<Kernel, D, spacing> order;
   for (const FlowRun<D>& run : chunk.runs) {
     int lowest[Kernel::lattices][D];  // place of the arena's lowest node among the cell's
     for (int l = 0; l < Kernel::lattices; ++l) {
@@ -135,37 +113,21 @@ void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChu
                        lowest_node(l) - spacing * (run.cell[std::size_t(a)] - Scratch::reach + 1);
       }
     }
-    set_range<Kernel, D, spacing>(points, run, lowest, scratch);
-    // The groups come into the second cache while the points are worked out.
-    const auto fetch_group = [&](int g) {
-      PressureNode<D> base = run.cell;
-      for (int a = D - 1; a >= 0; --a, g /= Scratch::reach) {
-        base[std::size_t(a)] += g % Scratch::reach - (Scratch::reach - 1);
-      }
-      const std::int32_t group = find_group(base);
-      if (group < 0) return;
-      const std::int64_t size = std::int64_t(slots_) * D * stride_;
-      const double* q = q_.data() + group * size;
-      for (std::int64_t i = 0; i < size; i += 8) __builtin_prefetch(q + i, 0, 2);
-    };
     for (std::int64_t first = run.begin; first < run.end; first += Group::most) {
       const int count = int(std::min<std::int64_t>(Group::most, run.end - first));
       for (int i = 0; i < count; i += lanes_of<Lanes<double>>) {
         fill_points<Kernel, D>(points, first + i, biot / cell_size_, transfer_ == TransferType::mls,
                                i, group);
+        // The groups come into the second cache while the points are worked out.
         const int batch = int(first - run.begin + i) / lanes_of<Lanes<double>>;
-        if (batch < power(Scratch::reach, D)) fetch_group(batch);
+        if (batch < power(Scratch::reach, D)) fetch_group<Scratch::reach>(run.cell, batch);
       }
-      for (int l = 0; l < Kernel::lattices; ++l) {
-        scratch.lattice = l;
-        order.sort(group.base[l], l * power(Kernel::arena_extent, D), lowest[l], count);
-        add_group<Kernel, D, spacing>(group, order, scratch);
-        if (!points.loaded.empty()) {
-          add_moments(points, first, count, cell_size_, group, order, scratch);
-        }
-        flush<Kernel, spacing>(run.cell, scratch);
+      add_group<Kernel, D, spacing>(group, lowest, count, scratch);
+      if (!points.loaded.empty()) {
+        add_moments(points, first, count, cell_size_, group, lowest, scratch);
       }
     }
+    flush<Kernel, spacing>(run.cell, scratch);
   }
 }
 
