@@ -44,9 +44,7 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       solver_(setup_.preconditioner.empty() ? default_preconditioner(D) : setup_.preconditioner,
               setup_.tolerance, setup_.solver_options),
       compressed_(solver_.needs_entries() || !PressureProduct<D>::serves(lattice_)),
-      point_of_(std::size_t(particles), -1),
-      state_(std::size_t(particles), PoreState<D>{}),
-      gained_(std::size_t(particles), 0.0),
+      states_(particles),
       own_(domain.own_increments ? std::size_t(particles) : 0),
       outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
@@ -55,19 +53,26 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
     half_side_.push_back(0.5 * std::pow(body.particle_volume, 1.0 / D));
     biot_.push_back(body.pores ? body.pores->biot : 0.0);
   }
-  for (PoreState<D>& state : state_) {
-    state.ratio = state.start_ratio = 1;
-    for (std::size_t a = 0; a < D; ++a) state.deformation[a * (D + 1)] = 1;
-  }
 }
 
 template <int D>
 void CoupledFlow<D>::start(std::int64_t id, std::int32_t body, double pressure,
                            double volume_ratio) {
-  PoreState<D>& state = state_[std::size_t(id)];
-  state.pressure = pressure;
-  state.ratio = state.start_ratio = volume_ratio;
+  const std::int64_t place = states_.place(id);
+  states_.at(place, PoreRow<D>::pressure) = pressure;
+  states_.at(place, PoreRow<D>::ratio) = volume_ratio;
+  states_.at(place, PoreRow<D>::start_ratio) = volume_ratio;
   start_mass_ += fluid_mass(body, id, volume_ratio);
+}
+
+template <int D>
+void CoupledFlow<D>::end_order() {
+  std::size_t body = 0;
+  states_.end_order([&](std::int64_t id) {
+    while (body + 1 < bodies_.size() && id >= bodies_[body + 1].first_id) ++body;
+    left_ += fluid_mass(std::int32_t(body), id, number(id, PoreRow<D>::ratio));
+  });
+  point_of_.assign(std::size_t(states_.places()), -1);
 }
 
 template <int D>
@@ -112,8 +117,6 @@ std::vector<std::pair<std::string, double>> CoupledFlow<D>::times() const {
 template <int D>
 bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool) {
   auto start = Clock::now();
-  index_points();
-  time_part(Part::points, start);
   prepare(step, topology);
   time_part(Part::constraints, start);
   assemble_volume(pool);
@@ -128,7 +131,7 @@ bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology,
   volume_.push(matrix_, solution_, constraints_.inverse(), step.dt, velocity_, force_, pool);
   push_groups(step, force_, topology);
   time_part(Part::forces, start);
-  gather(step.dt, step.gravity, pool);
+  gather(step, pool);
   time_part(Part::points, start);
   return true;
 }

@@ -15,6 +15,7 @@
 #include "solver/coupling/flow_points.hpp"
 #include "solver/coupling/node_constraints.hpp"
 #include "solver/coupling/pore_cells.hpp"
+#include "solver/coupling/pore_states.hpp"
 #include "solver/coupling/pressure_matrix.hpp"
 #include "solver/coupling/pressure_product.hpp"
 #include "solver/coupling/pressure_solver.hpp"
@@ -46,22 +47,12 @@ struct FlowDomain {
   double cell_size = 1;           ///< [m]
 };
 
-/// Pores of a particle, which stay with it.
-template <int D>
-struct PoreState {
-  double deformation[D * D];  ///< F since t = 0
-  double pressure;            ///< [Pa]
-  double ratio;               ///< J of the points of the last step
-  double start_ratio;         ///< J at t = 0
-  double stored;              ///< volume that compression made room for since t = 0 [m^3]
-  double seepage[D];          ///< [m/s]
-};
-
 /// What the last step did to a vector of particles of one body.
 template <int D>
 struct FlowIncrements {
-  static constexpr int width = lanes_of<Lanes<double>>;
+  static constexpr int width = PoreStates<D>::width;
   alignas(64) double value[D * D][width];  ///< dt grad v
+  std::int64_t place = 0;                  ///< in PoreStates, of the first lane
   std::int64_t point[width];               ///< place in FlowPoints
   int count = 0;                           ///< the others are padding, which holds any numbers
 };
@@ -74,7 +65,8 @@ struct FlowStep {
   std::array<double, 3> gravity{};  ///< [m/s^2]
   GridDecisions<D> decisions;
   const std::vector<Collider>* colliders = nullptr;
-  double touch = 0;  ///< see NodeConstraints::find
+  double touch = 0;    ///< see NodeConstraints::find
+  bool record = true;  ///< somebody looks at the seepage of the particles after the step
 };
 
 /// Pore water, two-way coupled: with velocities v* that hold the effective stress and all other
@@ -97,6 +89,12 @@ class CoupledFlow {
   /// Pressure [Pa] and the law's volume ratio of a particle at t = 0.
   void start(std::int64_t id, std::int32_t body, double pressure, double volume_ratio);
 
+  /// Where the particles are; begin_order() and put() of it tell of a new order of the stores.
+  PoreStates<D>& states() { return states_; }
+  const PoreStates<D>& states() const { return states_; }
+  /// Ends a new order. Water of particles that have gone counts as outflow.
+  void end_order();
+
   /// Must be called before the points of a step are set, whose blocks the topology holds.
   void follow(const Topology<D>& topology);
 
@@ -104,14 +102,9 @@ class CoupledFlow {
   NodeConstraints<D>& constraints() { return constraints_; }
   FlowPoints<D>& points() { return points_; }
   const PressureLattice<D>& lattice() const { return lattice_; }
-  /// Sets half, volume, capacity, mobility and content of points whose id is set. Once a step a
-  /// particle; any thread.
+  /// Sets half, volume, capacity, mobility, content and place of points. Once a step a particle;
+  /// any thread.
   void fill(const FlowIncrements<D>& increments, std::int32_t body);
-  /// Fetches what fill() needs of a particle from memory.
-  void prefetch(std::int64_t id) const {
-    __builtin_prefetch(&state_[std::size_t(id)], 1);
-    __builtin_prefetch(reinterpret_cast<const char*>(&state_[std::size_t(id)]) + 64, 1);
-  }
   bool keeps_increments() const { return !own_.empty(); }
   /// What the last step did to a particle, D x D; with FlowDomain::own_increments only. Any thread,
   /// one a particle.
@@ -137,14 +130,15 @@ class CoupledFlow {
   std::vector<std::pair<std::string, double>> times() const;
 
   // Of a particle, at the end of the last step; volume_ratio: the law's.
-  double pressure(std::int64_t id) const { return state_[std::size_t(id)].pressure; }
+  double pressure(std::int64_t id) const { return number(id, PoreRow<D>::pressure); }
   std::array<double, 3> seepage(std::int64_t id) const;
   double porosity(std::int32_t body, std::int64_t id, double volume_ratio) const;
   double biot(std::int32_t body) const { return bodies_[std::size_t(body)].pores->biot; }
   /// Mass of the water in a particle's pores [kg].
   double fluid_mass(std::int32_t body, std::int64_t id, double volume_ratio) const;
-  /// What the water in a particle's pores has gained since t = 0 [kg], as the last points say.
-  double gained_mass(std::int64_t id) const { return gained_[std::size_t(id)]; }
+  /// What the water in the pores of the particles from a place on has gained since t = 0 [kg], as
+  /// the last points say.
+  Lanes<double> gained_mass(std::int32_t body, std::int64_t place) const;
   /// mass: sum of fluid_mass() over the particles.
   FluidBalance balance(double mass) const;
 
@@ -154,6 +148,7 @@ class CoupledFlow {
 
   std::int64_t bytes() const;
   void save(StateWriter& writer) const;
+  /// Into the order of the start; the stores' own order comes after it.
   void load(const StateReader& reader);
 
  private:
@@ -168,11 +163,10 @@ class CoupledFlow {
 
   Mat3<double> deformation(std::int64_t id) const;
   double own_ratio(std::int64_t id, double volume_ratio) const;
-  static double gain(const FlowBody& body, const PoreState<D>& state);
-  void update_gains();
+  double number(std::int64_t id, int row) const { return states_.at(states_.place(id), row); }
   void save_nodes(StateWriter& writer) const;
   bool load_nodes(const StateReader& reader);
-  void index_points();
+  bool load_pores(const StateReader& reader);
   std::optional<SurfacePoint<D>> surface_point(std::int64_t id) const;
   void prepare(const FlowStep<D>& step, const Topology<D>& topology);
   void assemble_volume(ThreadPool& pool);
@@ -186,8 +180,8 @@ class CoupledFlow {
   Vec3<double> push_group(const FlowStep<D>& step, const NodeGroup<D>& group,
                           const std::vector<double>& force);
   std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
-  void gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool);
-  void gather_run(const FlowRun<D>& run, std::int32_t body, const std::array<double, 3>& gravity);
+  void gather(const FlowStep<D>& step, ThreadPool& pool);
+  void gather_run(const FlowStep<D>& step, const FlowRun<D>& run, std::int32_t body);
 
   CouplingSetup setup_;
   FlowDomain<D> domain_;
@@ -204,19 +198,17 @@ class CoupledFlow {
   PressureSolver solver_;
   bool compressed_;  ///< the solver takes compressed rows, not product_
   FlowPoints<D> points_;
-  std::vector<std::uint64_t> blocks_;   ///< of the topology that volume_ knows
-  std::vector<std::int32_t> point_of_;  ///< by id, -1: gone
-  std::int64_t present_ = -1;           ///< number of points of the last step, -1: not known
-  std::vector<double> solution_;        ///< by row
+  std::vector<std::uint64_t> blocks_;  ///< of the topology that volume_ knows
+  std::vector<double> solution_;       ///< by row
   /// By lattice node: pressures of the last steps, the last one first; to start from.
   std::array<std::vector<double>, 3> nodal_;
   std::vector<double> velocity_;  ///< by node
   std::vector<double> force_;     ///< by node
   std::vector<Reaction> reactions_;
-  std::vector<double> half_side_;               ///< of each body's boxes at t = 0 [m]
-  std::vector<double> biot_;                    ///< of each body
-  AlignedVector<PoreState<D>> state_;           ///< by particle id
-  AlignedVector<double> gained_;                ///< by particle id: follows from state_
+  std::vector<double> half_side_;  ///< of each body's boxes at t = 0 [m]
+  std::vector<double> biot_;       ///< of each body
+  PoreStates<D> states_;
+  std::vector<std::int32_t> point_of_;          ///< by place
   std::vector<std::array<double, D * D>> own_;  ///< by particle id: increments of the last step
   std::array<double, std::size_t(Part::count)> seconds_{};
   double start_mass_ = 0;        ///< of the water [kg]

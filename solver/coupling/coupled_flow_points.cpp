@@ -6,7 +6,6 @@
 
 #include "solver/coupling/coupled_flow.hpp"
 #include "solver/coupling/load_any.hpp"
-#include "solver/exec/transpose.hpp"
 
 namespace scree {
 namespace {
@@ -20,70 +19,6 @@ Wide determinant(const Wide (&f)[3][3]) {
          f[0][1] * (f[1][0] * f[2][2] - f[1][2] * f[2][0]) +
          f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
 }
-
-/// States of particles in lanes: row k holds their k-th number.
-template <int D>
-struct StateLanes {
-  static constexpr int width = FlowIncrements<D>::width;
-  static constexpr int rows = 16, numbers = int(sizeof(PoreState<D>) / sizeof(double));
-  /// Rows of the numbers after F.
-  static constexpr int pressure = D * D, ratio = pressure + 1, start_ratio = pressure + 2;
-  static_assert(numbers <= rows && offsetof(PoreState<D>, start_ratio) == 8 * start_ratio);
-  using Turn = LaneTranspose<double>;
-  static_assert(width % Turn::width == 0 && rows == Turn::record);
-  alignas(64) double numbers_of[rows * width] = {};
-
-  double* row(int k) { return numbers_of + k * width; }
-
-  /// f(first lane, room for its rows) for as many lanes as are turned at once.
-  template <class F>
-  void each_part(F&& f) {
-    for (int first = 0; first < width; first += Turn::width) {
-      alignas(64) double part[rows * Turn::width];
-      f(first, part);
-    }
-  }
-
-  /// state(i): of lane i.
-  template <class State>
-  void load(State&& state) {
-    if constexpr (numbers == rows) {
-      alignas(64) double records[width * rows];
-      for (int i = 0; i < width; ++i) __builtin_memcpy(records + i * rows, &state(i), 8 * rows);
-      each_part([&](int first, double* part) {
-        Turn::to_lanes(records + first * rows, part);
-        for (int k = 0; k < rows; ++k)
-          std::copy_n(part + k * Turn::width, Turn::width, row(k) + first);
-      });
-    } else {
-      for (int i = 0; i < width; ++i) {
-        double record[numbers];
-        __builtin_memcpy(record, &state(i), sizeof record);
-        for (int k = 0; k < numbers; ++k) row(k)[i] = record[k];
-      }
-    }
-  }
-  /// F and ratio of the first `count` lanes; the pressure, which lies between them, as it was.
-  template <class State>
-  void save(State&& state, int count) {
-    constexpr std::size_t bytes = 8 * (ratio + 1);
-    if constexpr (numbers == rows) {
-      alignas(64) double records[width * rows];
-      each_part([&](int first, double* part) {
-        for (int k = 0; k < rows; ++k)
-          std::copy_n(row(k) + first, Turn::width, part + k * Turn::width);
-        Turn::to_records(part, records + first * rows);
-      });
-      for (int i = 0; i < count; ++i) __builtin_memcpy(&state(i), records + i * rows, bytes);
-    } else {
-      for (int i = 0; i < count; ++i) {
-        double record[ratio + 1];
-        for (int k = 0; k <= ratio; ++k) record[k] = row(k)[i];
-        __builtin_memcpy(&state(i), record, bytes);
-      }
-    }
-  }
-};
 
 /// Value and gradient [1/h] at particles of a cell, from its corners; hat[a]: those of axis a.
 template <int D>
@@ -111,7 +46,7 @@ template <int D>
 Mat3<double> CoupledFlow<D>::deformation(std::int64_t id) const {
   Mat3<double> f = identity3<double>();
   for (int i = 0; i < D * D; ++i) {
-    f(i / D, i % D) = state_[std::size_t(id)].deformation[i];
+    f(i / D, i % D) = number(id, PoreRow<D>::deformation + i);
   }
   return f;
 }
@@ -122,12 +57,8 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
   constexpr int width = FlowIncrements<D>::width;
   const FlowBody& flow = bodies_[std::size_t(body)];
   const PoreSetup& pores = *flow.pores;
-  const auto state = [&](int i) -> PoreState<D>& {
-    const std::int64_t point = increments.point[i < increments.count ? i : 0];
-    return state_[std::size_t(points_.id[std::size_t(point)])];
-  };
-  StateLanes<D> lanes;  // padding repeats the first
-  lanes.load(state);
+  using Row = PoreRow<D>;
+  auto& state = states_.vector(increments.place).row;
   Wide c[D][D], f[D][D], trace = broadcast<Wide>(0.0);
   for (int a = 0; a < D; ++a) {
     for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(increments.value[a * D + b]);
@@ -140,9 +71,9 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
   for (int a = 0; a < D; ++a) {
     Wide square = broadcast<Wide>(0.0);
     for (int b = 0; b < D; ++b) {
-      Wide sum = scree::load<Wide>(lanes.row(a * D + b));
+      Wide sum = scree::load<Wide>(state[a * D + b]);
       for (int k = 0; k < D; ++k) {
-        sum = mul_add(c[a][k], scree::load<Wide>(lanes.row(k * D + b)), sum);
+        sum = mul_add(c[a][k], scree::load<Wide>(state[k * D + b]), sum);
       }
       now[a][b] = sum;
       square = mul_add(sum, sum, square);
@@ -150,8 +81,8 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
     }
     store(half[a], side * min(sqrt(square), longest_box));
   }
-  const Wide before = scree::load<Wide>(lanes.row(lanes.ratio));
-  const Wide start = scree::load<Wide>(lanes.row(lanes.start_ratio));
+  const Wide before = scree::load<Wide>(state[Row::ratio]);
+  const Wide start = scree::load<Wide>(state[Row::start_ratio]);
   const Wide ratio = before * determinant(f);
   const Wide porosity = 1.0 - ((1 - pores.porosity) * start) / ratio;
   const Wide storage =
@@ -164,14 +95,13 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
     k = k * (r * r * r * s * s);
   }
   for (int a = 0; a < D; ++a) {
-    for (int b = 0; b < D; ++b) store(lanes.row(a * D + b), now[a][b]);
+    for (int b = 0; b < D; ++b) store(state[a * D + b], now[a][b]);
   }
-  store(lanes.row(lanes.ratio), ratio);
+  store(state[Row::ratio], ratio);
   store(volume, space);
   store(capacity, room);
   store(mobility, k);
-  store(content, room * scree::load<Wide>(lanes.row(lanes.pressure)) - defect);
-  lanes.save(state, increments.count);
+  store(content, room * scree::load<Wide>(state[Row::pressure]) - defect);
   for (int i = 0; i < increments.count; ++i) {
     const std::size_t p = std::size_t(increments.point[i]);
     for (std::size_t a = 0; a < D; ++a) points_.half[a][p] = half[a][i];
@@ -179,33 +109,16 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
     points_.capacity[p] = capacity[i];
     points_.mobility[p] = mobility[i];
     points_.content[p] = content[i];
+    points_.place[p] = increments.place + i;
+    point_of_[std::size_t(increments.place + i)] = std::int32_t(p);
   }
-}
-
-/// Water of particles that have gone since the last step counts as outflow.
-template <int D>
-void CoupledFlow<D>::index_points() {
-  const std::vector<std::int64_t>& ids = points_.id;
-  if (std::int64_t(ids.size()) == present_) {  // the same particles
-    for (std::size_t i = 0; i < ids.size(); ++i) point_of_[std::size_t(ids[i])] = std::int32_t(i);
-    return;
-  }
-  std::vector<std::int32_t> now(point_of_.size(), -1);
-  for (std::size_t i = 0; i < ids.size(); ++i) now[std::size_t(ids[i])] = std::int32_t(i);
-  std::size_t body = 0;
-  for (std::size_t id = 0; id < now.size(); ++id) {
-    while (body + 1 < bodies_.size() && std::int64_t(id) >= bodies_[body + 1].first_id) ++body;
-    if (point_of_[id] < 0 || now[id] >= 0) continue;
-    left_ += fluid_mass(std::int32_t(body), std::int64_t(id), state_[id].ratio);
-  }
-  point_of_ = std::move(now);
-  present_ = std::int64_t(ids.size());
 }
 
 template <int D>
 std::optional<SurfacePoint<D>> CoupledFlow<D>::surface_point(std::int64_t id) const {
-  const std::int64_t index = point_of_[std::size_t(id)];
-  if (index < 0) return std::nullopt;
+  const std::int64_t place = states_.place(id);
+  if (place < 0) return std::nullopt;
+  const std::int64_t index = point_of_[std::size_t(place)];
   const FlowChunk<D>& chunk = points_.chunk_of(index);
   SurfacePoint<D> point;
   for (const FlowRun<D>& run : chunk.runs) {
@@ -219,49 +132,48 @@ std::optional<SurfacePoint<D>> CoupledFlow<D>::surface_point(std::int64_t id) co
 
 /// Pressure and seepage of the particles.
 template <int D>
-void CoupledFlow<D>::gather(double dt, const std::array<double, 3>& gravity, ThreadPool& pool) {
+void CoupledFlow<D>::gather(const FlowStep<D>& step, ThreadPool& pool) {
   pool.for_each(std::int64_t(points_.chunks.size()), [&](std::int64_t c, int) {
     const FlowChunk<D>& chunk = points_.chunks[std::size_t(c)];
-    for (const FlowRun<D>& run : chunk.runs) gather_run(run, chunk.body, gravity);
+    for (const FlowRun<D>& run : chunk.runs) gather_run(step, run, chunk.body);
   });
-  surfaces_.add_outflow(matrix_, solution_, dt, outflow_);
+  surfaces_.add_outflow(matrix_, solution_, step.dt, outflow_);
 }
 
 template <int D>
-void CoupledFlow<D>::gather_run(const FlowRun<D>& run, std::int32_t body,
-                                const std::array<double, 3>& gravity) {
-  constexpr int corners = 1 << D;
-  const FlowBody& flow = bodies_[std::size_t(body)];
-  const double density = flow.pores->fluid_density;
+void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowRun<D>& run, std::int32_t body) {
+  constexpr int corners = 1 << D, width = lanes_of<Wide>;
+  using Row = PoreRow<D>;
+  const double density = bodies_[std::size_t(body)].pores->fluid_density;
   double nodal[corners];
   for (int k = 0; k < corners; ++k) {
     nodal[k] = solution_[std::size_t(matrix_.row(corner<D>(run.cell, k)))];
   }
-  constexpr int width = lanes_of<Wide>;
   for (std::int64_t first = run.begin; first < run.end; first += width) {
-    const std::int64_t coming =
-        std::min<std::int64_t>(first + 2 * width, std::int64_t(points_.id.size()));
-    for (std::int64_t p = std::min(first + width, coming); p < coming; ++p)
-      prefetch(points_.id[std::size_t(p)]);
     Wide hat[D][2], value, gradient[D];
     for (std::size_t a = 0; a < D; ++a) {
       hat[a][1] = load_any<Wide>(points_.xi[a].data() + first);
       hat[a][0] = 1.0 - hat[a][1];
     }
     interpolate<D>(nodal, hat, value, gradient);
-    alignas(64) double pressure[width], seepage[D][width];
+    alignas(64) double pressure[width];
     store(pressure, value);
-    const Wide mobility = load_any<Wide>(points_.mobility.data() + first);
-    for (int a = 0; a < D; ++a) {
-      store(seepage[a], -mobility * (gradient[a] * (1 / h_) - density * gravity[std::size_t(a)]));
-    }
-    for (int i = 0; i < int(std::min<std::int64_t>(width, run.end - first)); ++i) {
+    const int count = int(std::min<std::int64_t>(width, run.end - first));
+    for (int i = 0; i < count; ++i) {
       const std::size_t p = std::size_t(first + i);
-      PoreState<D>& state = state_[std::size_t(points_.id[p])];
-      state.stored += points_.capacity[p] * (pressure[i] - state.pressure);
-      state.pressure = pressure[i];
-      for (int a = 0; a < D; ++a) state.seepage[a] = seepage[a][i];
-      gained_[std::size_t(points_.id[p])] = gain(flow, state);
+      auto& state = states_.vector(points_.place[p]).row;
+      const int lane = int(points_.place[p] % width);
+      state[Row::stored][lane] += points_.capacity[p] * (pressure[i] - state[Row::pressure][lane]);
+      state[Row::pressure][lane] = pressure[i];
+    }
+    if (!step.record) continue;
+    const Wide mobility = load_any<Wide>(points_.mobility.data() + first);
+    for (std::size_t a = 0; a < D; ++a) {
+      alignas(64) double seepage[width];
+      store(seepage, -mobility * (gradient[a] * (1 / h_) - density * step.gravity[a]));
+      for (int i = 0; i < count; ++i) {
+        states_.at(points_.place[std::size_t(first + i)], Row::seepage + int(a)) = seepage[i];
+      }
     }
   }
 }

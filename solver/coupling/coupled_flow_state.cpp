@@ -12,7 +12,7 @@ namespace scree {
 template <int D>
 std::array<double, 3> CoupledFlow<D>::seepage(std::int64_t id) const {
   std::array<double, 3> q{};
-  for (std::size_t a = 0; a < D; ++a) q[a] = state_[std::size_t(id)].seepage[a];
+  for (std::size_t a = 0; a < D; ++a) q[a] = number(id, PoreRow<D>::seepage + int(a));
   return q;
 }
 
@@ -22,31 +22,34 @@ double CoupledFlow<D>::own_ratio(std::int64_t id, double volume_ratio) const {
   if (!keeps_increments()) return volume_ratio;
   Mat3<double> f = identity3<double>();
   for (int i = 0; i < D * D; ++i) f(i / D, i % D) += own_[std::size_t(id)][std::size_t(i)];
-  return state_[std::size_t(id)].ratio * det(f);
+  return number(id, PoreRow<D>::ratio) * det(f);
 }
 
 template <int D>
 double CoupledFlow<D>::porosity(std::int32_t body, std::int64_t id, double volume_ratio) const {
   return porosity_at(*bodies_[std::size_t(body)].pores,
-                     own_ratio(id, volume_ratio) / state_[std::size_t(id)].start_ratio);
+                     own_ratio(id, volume_ratio) / number(id, PoreRow<D>::start_ratio));
 }
 
 template <int D>
 double CoupledFlow<D>::fluid_mass(std::int32_t body, std::int64_t id, double volume_ratio) const {
   const FlowBody& flow = bodies_[std::size_t(body)];
   if (!flow.pores) return 0;
-  const double start = state_[std::size_t(id)].start_ratio;
+  const double start = number(id, PoreRow<D>::start_ratio);
   const double change = flow.pores->biot * (own_ratio(id, volume_ratio) - start);
   return flow.pores->fluid_density *
          (flow.particle_volume * (start * flow.pores->porosity + change) +
-          state_[std::size_t(id)].stored);
+          number(id, PoreRow<D>::stored));
 }
 
-/// Not inlined: it must round alike in a run and after a restart.
 template <int D>
-[[gnu::noinline]] double CoupledFlow<D>::gain(const FlowBody& body, const PoreState<D>& state) {
-  const double change = body.pores->biot * (state.ratio - state.start_ratio);
-  return body.pores->fluid_density * (body.particle_volume * change + state.stored);
+Lanes<double> CoupledFlow<D>::gained_mass(std::int32_t body, std::int64_t place) const {
+  using Row = PoreRow<D>;
+  const FlowBody& flow = bodies_[std::size_t(body)];
+  const auto& state = states_.vector(place).row;
+  const auto row = [&](int k) { return scree::load<Lanes<double>>(state[k]); };
+  const Lanes<double> change = (row(Row::ratio) - row(Row::start_ratio)) * flow.pores->biot;
+  return (change * flow.particle_volume + row(Row::stored)) * flow.pores->fluid_density;
 }
 
 template <int D>
@@ -93,51 +96,52 @@ GridSnapshot CoupledFlow<D>::grid() const {
 
 template <int D>
 std::int64_t CoupledFlow<D>::bytes() const {
-  const std::size_t numbers = solution_.capacity() + 3 * nodal_[0].capacity() + force_.capacity() +
-                              gained_.capacity() + D * D * own_.capacity();
-  return std::int64_t(8 * numbers + 4 * point_of_.capacity() +
-                      sizeof(PoreState<D>) * state_.capacity()) +
-         points_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
+  const std::size_t numbers =
+      solution_.capacity() + 3 * nodal_[0].capacity() + force_.capacity() + D * D * own_.capacity();
+  return std::int64_t(8 * numbers + 4 * point_of_.capacity()) + states_.bytes() + points_.bytes() +
+         volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
 }
 
 namespace {
 
-/// Numbers that all particles have, as arrays by particle.
-template <int D, class State, class F>
-void each_array(State& state, F&& f) {
-  f(
-      "coupling/pressure", 1, [&](std::size_t i, int) -> auto& { return state[i].pressure; });
-  f(
-      "coupling/volume_ratio", 1, [&](std::size_t i, int) -> auto& { return state[i].ratio; });
-  f(
-      "coupling/start_ratio", 1, [&](std::size_t i, int) -> auto& { return state[i].start_ratio; });
-  f(
-      "coupling/stored", 1, [&](std::size_t i, int) -> auto& { return state[i].stored; });
-  f(
-      "coupling/seepage", D, [&](std::size_t i, int a) -> auto& { return state[i].seepage[a]; });
-  f(
-      "coupling/deformation",
-      D * D, [&](std::size_t i, int a) -> auto& { return state[i].deformation[a]; });
-}
+/// Numbers of a particle's pores in a checkpoint.
+struct PoreArray {
+  const char* name;
+  int first, width;
+};
+
+template <int D>
+constexpr std::array<PoreArray, 6> pore_arrays = {
+    PoreArray{"coupling/pressure", PoreRow<D>::pressure, 1},
+    PoreArray{"coupling/volume_ratio", PoreRow<D>::ratio, 1},
+    PoreArray{"coupling/start_ratio", PoreRow<D>::start_ratio, 1},
+    PoreArray{"coupling/stored", PoreRow<D>::stored, 1},
+    PoreArray{"coupling/seepage", PoreRow<D>::seepage, D},
+    PoreArray{"coupling/deformation", PoreRow<D>::deformation, D* D}};
 
 }  // namespace
 
+/// By particle id; those that have no place have zeros.
 template <int D>
 void CoupledFlow<D>::save(StateWriter& writer) const {
-  each_array<D>(state_, [&](const char* name, int width, auto&& at) {
+  const std::int64_t particles = states_.particles();
+  for (const PoreArray& array : pore_arrays<D>) {
     std::vector<double> values;
-    values.reserve(state_.size() * std::size_t(width));
-    for (std::size_t i = 0; i < state_.size(); ++i) {
-      for (int a = 0; a < width; ++a) values.push_back(at(i, a));
+    values.reserve(std::size_t(particles) * std::size_t(array.width));
+    for (std::int64_t id = 0; id < particles; ++id) {
+      const std::int64_t place = states_.place(id);
+      for (int a = 0; a < array.width; ++a) {
+        values.push_back(place < 0 ? 0.0 : states_.at(place, array.first + a));
+      }
     }
-    writer.put(name, values);
-  });
+    writer.put(array.name, values);
+  }
+  std::vector<std::int32_t> present;
+  for (std::int64_t id = 0; id < particles; ++id) present.push_back(states_.place(id) < 0 ? -1 : 1);
+  writer.put("coupling/present", present);
   writer.put("coupling/water",
              std::vector<double>{start_mass_, left_, double(iterations_), double(halvings_)});
   writer.put("coupling/outflow", outflow_);
-  std::vector<std::int32_t> alive;
-  for (const std::int32_t point : point_of_) alive.push_back(point >= 0 ? 1 : -1);
-  writer.put("coupling/present", alive);
   if (keeps_increments()) {
     const double* numbers = own_.front().data();
     writer.put("coupling/increment", std::vector<double>(numbers, numbers + D * D * own_.size()));
@@ -182,34 +186,31 @@ bool CoupledFlow<D>::load_nodes(const StateReader& reader) {
   return true;
 }
 
+/// False: the numbers do not match.
 template <int D>
-void CoupledFlow<D>::update_gains() {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const std::size_t begin = std::size_t(bodies_[b].first_id);
-    const std::size_t end =
-        b + 1 < bodies_.size() ? std::size_t(bodies_[b + 1].first_id) : state_.size();
-    for (std::size_t id = begin; id < end && bodies_[b].pores; ++id) {
-      gained_[id] = gain(bodies_[b], state_[id]);
+bool CoupledFlow<D>::load_pores(const StateReader& reader) {
+  const std::int64_t particles = states_.particles();
+  for (const PoreArray& array : pore_arrays<D>) {
+    const auto values = reader.get<double>(array.name);
+    if (std::int64_t(values.size()) != particles * array.width) return false;
+    for (std::int64_t id = 0; id < particles; ++id) {
+      const std::int64_t place = states_.place(id);
+      for (int a = 0; a < array.width && place >= 0; ++a) {
+        states_.at(place, array.first + a) = values[std::size_t(id * array.width + a)];
+      }
     }
   }
+  const auto present = reader.get<std::int32_t>("coupling/present");
+  if (std::int64_t(present.size()) != particles) return false;
+  for (std::int64_t id = 0; id < particles; ++id) {
+    if (present[std::size_t(id)] < 0) states_.forget(id);
+  }
+  return true;
 }
 
 template <int D>
 void CoupledFlow<D>::load(const StateReader& reader) {
-  bool fits = true;
-  each_array<D>(state_, [&](const char* name, int width, auto&& at) {
-    const auto values = reader.get<double>(name);
-    if (values.size() != state_.size() * std::size_t(width)) {
-      fits = false;
-      return;
-    }
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < state_.size(); ++i) {
-      for (int a = 0; a < width; ++a) at(i, a) = values[next++];
-    }
-  });
-  point_of_ = reader.get<std::int32_t>("coupling/present");
-  present_ = -1;
+  bool fits = load_pores(reader);
   auto water = reader.get<double>("coupling/water");
   fits = fits && water.size() == 4;
   water.resize(4);
@@ -224,11 +225,9 @@ void CoupledFlow<D>::load(const StateReader& reader) {
     fits = fits && increments.size() == own_.size() * D * D;
     if (fits) std::copy(increments.begin(), increments.end(), own_.front().data());
   }
-  if (!load_nodes(reader) || !fits || point_of_.size() != state_.size() ||
-      outflow_.size() != surfaces) {
+  if (!load_nodes(reader) || !fits || outflow_.size() != surfaces) {
     throw RunFault("the checkpoint's pore water does not match this deck");
   }
-  update_gains();
 }
 
 template class CoupledFlow<2>;

@@ -52,7 +52,7 @@ struct FlowPoints {
   Field mobility;             ///< [m^2/(Pa s)]
   Field content;  ///< capacity p - alpha d [m^3]: p pressure at the step's start, d volume change
                   ///< of the last step that tr(dt grad v) missed
-  std::vector<std::int64_t> id;
+  std::vector<std::int64_t> place;  ///< in PoreStates
   std::vector<FlowChunk<D>> chunks;
   std::vector<char> loaded;  ///< by a traction: its moment counts
   /// Of loaded points: sum over faces of force (row) times place of the face from the point
@@ -67,7 +67,7 @@ struct FlowPoints {
       }
     }
     for (Field* f : {&volume, &capacity, &mobility, &content}) f->resize(room);
-    id.resize(std::size_t(points));
+    place.resize(std::size_t(points));
     loaded.resize(with_moments ? std::size_t(points) : 0);
     moments.resize(loaded.size());
   }
@@ -79,7 +79,7 @@ struct FlowPoints {
     return *std::prev(after);
   }
   std::int64_t bytes() const {
-    return std::int64_t((3 * D + 4) * sizeof(double) * volume.capacity() + 8 * id.capacity() +
+    return std::int64_t((3 * D + 4) * sizeof(double) * volume.capacity() + 8 * place.capacity() +
                         sizeof(moments[0]) * moments.capacity());
   }
 };

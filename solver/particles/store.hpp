@@ -48,6 +48,8 @@ class ParticleStore {
   /// Changes the number of aux fields; their contents are lost.
   void resize_aux(int aux);
 
+  /// Batches that there is memory for: slots are less than batches() times width.
+  std::int64_t batches() const { return std::int64_t(ids_.size()) / width; }
   int fields() const { return fields_; }
   int aux_fields() const { return aux_; }
   std::int64_t count() const { return count_; }

@@ -38,7 +38,34 @@ void SimulationImpl<D, T>::make_flow() {
   flow_ = std::make_unique<CoupledFlow<D>>(std::move(*setup_.coupling), domain, std::move(bodies),
                                            particle_count());
   setup_.coupling.emplace();  // still says that there is coupling
+  order_flow();
   start_flow();
+}
+
+/// Tells the water where the stores have the particles.
+template <int D, class T>
+void SimulationImpl<D, T>::order_flow() {
+  if (!flow_) return;
+  constexpr int width = ParticleStore<D, T>::width;
+  PoreStates<D>& states = flow_->states();
+  std::vector<std::int64_t> slots;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const ParticleStore<D, T>& store = bodies_[b].body->store();
+    slots.push_back(flow_->has_water(std::int32_t(b)) ? width * store.batches() : 0);
+  }
+  states.begin_order(slots);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!flow_->has_water(std::int32_t(b))) continue;
+    const ParticleStore<D, T>& store = bodies_[b].body->store();
+    for (const auto& block : store.blocks()) {
+      for (int i = 0; i < block.count; ++i) {
+        const std::int32_t batch = block.batches[std::size_t(i / width)];
+        const std::int64_t id = store.ids(batch)[i % width];
+        if (id >= 0) states.put(int(b), std::int64_t(batch) * width + i % width, id);
+      }
+    }
+  }
+  flow_->end_order();
 }
 
 /// Pressures and volume ratios at t = 0.
@@ -122,16 +149,27 @@ void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& b
   thread_local PointOrder<D> order;
   order.resize(block.count);
   for (std::size_t k = 0; k < block.batches.size(); ++k) {
+    // Positions lie too far apart for the processor to see them coming.
+    constexpr std::size_t ahead = 6;
+    if (k + ahead < block.batches.size()) {
+      const T* coming = store.batch(block.batches[k + ahead]);
+      for (int a = 0; a < D; ++a) __builtin_prefetch(coming + a * width);
+    }
     const T* batch = store.batch(block.batches[k]);
     const int first = int(k) * width, count = std::min(width, block.count - first);
     for (int a = 0; a < D; ++a) std::copy_n(batch + a * width, count, order.local(a) + first);
   }
   order.arrange(chunk, flow_->lattice(), points);
   FlowIncrements<D> increments;
+  const std::int64_t first_place = flow_->states().first_place(chunk.body);
   for (int first = 0; first < block.count; first += increments.width) {
-    for (int i = first + increments.width; i < std::min(block.count, first + 2 * increments.width);
-         ++i) {
-      flow_->prefetch(store.ids(block.batches[std::size_t(i / width)])[i % width]);
+    constexpr int ahead = 2 * increments.width;
+    if (first + ahead < block.count) {
+      const std::int32_t coming = block.batches[std::size_t((first + ahead) / width)];
+      const int lane = (first + ahead) % width;
+      const T* aux = store.aux_batch(coming) + layout_.increment * width + lane;
+      for (int k = 0; k < D * D; ++k) __builtin_prefetch(aux + k * width);
+      flow_->states().prefetch(first_place + std::int64_t(coming) * width + lane);
     }
     const std::int32_t b = block.batches[std::size_t(first / width)];
     const int lane = first % width;
@@ -141,12 +179,13 @@ void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& b
         increments.value[k][i] = double(aux[k * width + i]);
       }
     }
+    increments.place = first_place + std::int64_t(b) * width + lane;
     increments.count = std::min(increments.width, block.count - first);
     for (int i = 0; i < increments.count; ++i) {
       const std::int64_t point = order.place(first + i);
-      const std::int64_t id = store.ids(b)[lane + i];
       increments.point[i] = point;
-      points.id[std::size_t(point)] = id;
+      if (!flow_->keeps_increments() && points.loaded.empty()) continue;
+      const std::int64_t id = store.ids(b)[lane + i];
       for (std::size_t k = 0; k < D * D && flow_->keeps_increments(); ++k) {
         increments.value[k][i] = flow_->increment(id)[k];
       }
@@ -163,7 +202,7 @@ void SimulationImpl<D, T>::set_moments(FlowPoints<D>& points) const {
   for (const FlowChunk<D>& chunk : points.chunks) {
     for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
       if (points.loaded[std::size_t(i)] == 0) continue;
-      const std::int64_t id = points.id[std::size_t(i)];
+      const std::int64_t id = flow_->states().id(points.place[std::size_t(i)]);
       std::array<double, 3> x{};
       for (std::size_t a = 0; a < D; ++a) {
         x[a] = setup_.lower[a] +
@@ -213,6 +252,7 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   step.decisions.keep = forces.kept();
   step.colliders = &colliders_;
   step.touch = 64 * double(std::numeric_limits<T>::epsilon());
+  step.record = setup_.record && setup_.schedule.record_due(step.end);
   if (!flow_->solve(step, backend_->grid().topology(), executor_.pool())) {
     time_phase(Phase::pressure, start);
     if (halvings < flow_->most_halvings()) return false;

@@ -145,7 +145,7 @@ void SimulationImpl<D, T>::update_loads_alone() {
 template <int D, class T>
 void SimulationImpl<D, T>::add_gained_weight() {
   if (!flow_ || !setup_.gravity) return;
-  constexpr int width = ParticleStore<D, T>::width;
+  constexpr int width = ParticleStore<D, T>::width, lanes = PoreStates<D>::width;
   const std::array<double, 3> gravity = grid_forces().gravity;
   for (State& state : bodies_) {
     const BodyInfo& info = state.body->info();
@@ -154,14 +154,21 @@ void SimulationImpl<D, T>::add_gained_weight() {
     const double per_mass = 1 / info.particle_mass();
     executor_.pool().for_each(std::int64_t(store.blocks().size()), [&](std::int64_t n, int) {
       const auto& block = store.blocks()[std::size_t(n)];
-      for (int i = 0; i < block.count; ++i) {
-        const std::int32_t b = block.batches[std::size_t(i / width)];
-        const std::int64_t id = store.ids(b)[i % width];
-        const double share = water && id >= 0 ? flow_->gained_mass(id) * per_mass : 0.0;
-        T* force = store.aux_batch(b) + layout_.external * width + i % width;
+      for (int first = 0; first < block.count; first += lanes) {
+        const std::int32_t b = block.batches[std::size_t(first / width)];
+        const int lane = first % width;
+        alignas(64) double share[lanes] = {};
+        if (water) {
+          const std::int64_t slot = std::int64_t(b) * width + lane;
+          const std::int64_t place = flow_->states().first_place(info.body_index) + slot;
+          scree::store(share, flow_->gained_mass(info.body_index, place) * per_mass);
+        }
+        T* force = store.aux_batch(b) + layout_.external * width + lane;
         for (int a = 0; a < D; ++a) {
-          const double load = external_ ? double(force[a * width]) : 0.0;
-          force[a * width] = T(load + share * gravity[std::size_t(a)]);
+          for (int i = 0; i < lanes; ++i) {
+            const double load = external_ ? double(force[a * width + i]) : 0.0;
+            force[a * width + i] = T(load + share[i] * gravity[std::size_t(a)]);
+          }
         }
       }
     });

@@ -110,6 +110,7 @@ class SimulationImpl final : public Simulation {
   // simulation_coupling.cpp
   void make_flow();
   void start_flow();
+  void order_flow();
   void note_masses();
   void collect_flow();
   bool couple_flow(int halvings);

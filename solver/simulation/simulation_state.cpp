@@ -138,7 +138,10 @@ void SimulationImpl<D, T>::load(const StateReader& reader) {
   external_work_ = loads.at(0);
   external_power_ = loads.at(1);
   if (external_) external_->load(reader);
-  if (flow_) flow_->load(reader);
+  if (flow_) {
+    flow_->load(reader);
+    order_flow();
+  }
 }
 
 template class SimulationImpl<2, float>;

@@ -160,6 +160,7 @@ void SimulationImpl<D, T>::bin_if_needed() {
     if (setup_.faces[a][0] == FaceType::periodic) wrap[a] = domain_.cells[a];
   }
   backend_->bin(wrap);
+  order_flow();
   for (State& state : bodies_) state.dead = 0;
   pending_dead_ = 0;
   bounds_.max_excursion = 0;
