@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 
+#include "solver/coupling/pore_moments.hpp"
+
 namespace scree {
 namespace {
 
@@ -166,7 +168,7 @@ void PoreCells<D>::assemble(const FlowPoints<D>& points, double dt, double h,
       }
       const auto add_chunk = [&](std::int64_t c, int) {
         for (const FlowRun<D>& run : together[std::size_t(c)]->runs) {
-          add_run(points, run, dt, h, weight[body]);
+          add_run(points, run, {dt, h, largest_half}, weight[body]);
         }
       };
       if (!alone) pool.for_each(std::int64_t(together.size()), add_chunk);
@@ -198,44 +200,93 @@ auto PoreCells<D>::surroundings(const PressureNode<D>& home) const -> Surroundin
   return around;
 }
 
+/// Whether what points of the cell bring may be folded at a wall.
 template <int D>
-void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, double dt, double h,
-                           const Weight& weight) {
-  const Surroundings around = surroundings(run.cell);
-  Cell& cell = cells_[std::size_t(around.number[power(3, D) / 2])];
-  const double per_dt = 1 / dt;
-  for (std::size_t i = std::size_t(run.begin); i < std::size_t(run.end); ++i) {
-    alignas(32) double e[D][4];
-    double xi[D];
-    for (std::size_t a = 0; a < D; ++a) {
-      const double x = xi[a] = points.xi[a][i], y = 1 - x;
-      e[a][0] = y * y;
-      e[a][1] = x * y;
-      e[a][2] = x * x;
-      e[a][3] = 0;
+bool PoreCells<D>::near_wall(const Surroundings& around, double largest_half) {
+  for (const PoreAxis& axis : around.axis) {
+    if (axis.wall[0] > -largest_half || axis.wall[1] < 1 + largest_half ||
+        axis.first > -std::int32_t(std::ceil(largest_half))) {
+      return true;
     }
-    const double storage = points.capacity[i] * per_dt;
-    for (int j = 0; j < 3; ++j) {
-      if constexpr (D == 2) {
-        add_line(storage * e[0][j], e[1], cell.storage[j]);
-      } else {
-        for (int k = 0; k < 3; ++k) {
-          add_line(storage * e[0][j] * e[1][k], e[2], cell.storage[3 * j + k]);
-        }
+  }
+  return false;
+}
+
+template <int D>
+// NOLINTNEXTLINE(readability-function-size): a kernel's body
+void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, const Measures& m,
+                           const Weight& weight) {
+  using Wide = Lanes<double>;
+  constexpr int width = lanes_of<Wide>;
+  const Surroundings around = surroundings(run.cell);
+  // Beside a wall, boxes that are cut are added part by part; else their part within the cell is
+  // added with those of the others, and the rest of them alone.
+  const bool folds = near_wall(around, m.largest_half);
+  PoreSums<D> sums{};
+  PorePoints<D> group;
+  for (std::int64_t first = run.begin; first < run.end; first += width * group.most) {
+    int v = 0;
+    for (; v < group.most && first + v * width < run.end; ++v) {
+      const std::int64_t at = first + v * width;
+      const MaskOf<Wide> there =
+          first_lanes<Wide>(int(std::min<std::int64_t>(run.end - at, width)));
+      const auto field = [&](const auto& f) { return load_any<Wide>(f.data() + at); };
+      MaskOf<Wide> whole = there;
+      for (std::size_t a = 0; a < D; ++a) {
+        const Wide x = field(points.xi[a]), half = select(there, field(points.half[a]), 1.0);
+        set_axis(x, half, around.axis[a].whole, group.axis[v][a]);
+        whole =
+            whole & (x - half >= around.axis[a].whole[0]) & (x + half <= around.axis[a].whole[1]);
+      }
+      group.capacity[v] = select(there, field(points.capacity), 0.0);
+      group.content[v] = select(there, field(points.content), 0.0);
+      group.conductance[v] =
+          select(folds ? whole : there, field(points.volume) * field(points.mobility), 0.0);
+      const MaskOf<Wide> cut = there & !whole;
+      for (int l = 0; any(cut) && l < width; ++l) {
+        if (lane(cut, l)) add_flow(points, std::size_t(at + l), around, !folds, m.h, weight);
       }
     }
-    double n[corners];
-    hats<D>(xi, n);
-    const double content = points.content[i] * per_dt;
-    for (int k = 0; k < corners; ++k) cell.source[k] += content * n[k];
-    add_flow(points, i, around, h, weight);
+    add_storage(group, v, sums);
+    scree::add_flow(group, v, sums);
+    add_source(group, v, weight.data(), sums);
+  }
+  take(sums, m, weight, cells_[std::size_t(around.number[power(3, D) / 2])]);
+}
+
+/// Adds the sums over the points of a cell.
+template <int D>
+void PoreCells<D>::take(const PoreSums<D>& sums, const Measures& m, const Weight& weight,
+                        Cell& cell) {
+  const double per_dt = 1 / m.dt;
+  for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 3 * lines; ++j) {
+      cell.storage[j][k] += per_dt * sum_lanes(sums.storage[j][k]);
+    }
+    for (int i = 0; i < D * lines; ++i) {
+      cell.flow[i / lines][i % lines][k] +=
+          sum_lanes(sums.flow[i / lines][i % lines][k]) / (m.h * m.h);
+    }
+  }
+  for (int k = 0; k < corners; ++k) cell.source[k] += per_dt * sum_lanes(sums.content[k]);
+  for (int a = 0; a < D; ++a) {
+    if (weight[std::size_t(a)] == 0) continue;
+    double pull[PoreSums<D>::others];
+    for (int n = 0; n < PoreSums<D>::others; ++n) {
+      pull[n] = sum_lanes(sums.weight[a][n]) * weight[std::size_t(a)] / m.h;
+    }
+    const int low = D - 1 - a;  // bit of the axis; the others' bits in order number the sums
+    for (int k = 0; k < corners; ++k) {
+      const int n = (k >> (low + 1) << low) | (k & ((1 << low) - 1));
+      cell.source[k] += (k >> low & 1) != 0 ? pull[n] : -pull[n];
+    }
   }
 }
 
-/// The parts of a particle's box, each in its cell.
+/// The parts of a particle's box, each in its cell; rest: but for the one in the particle's own.
 template <int D>
 void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
-                            const Surroundings& around, double h, const Weight& weight) {
+                            const Surroundings& around, bool rest, double h, const Weight& weight) {
   Slices slices[D];
   int parts = 1;
   double pull[D];
@@ -250,9 +301,10 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
     const Slice* s[D];
     Slice extended[D];
     int near = 0;
-    bool beside = true;
+    bool beside = true, home = true;
     for (int a = 0; a < D; ++a) {
       s[a] = &slices[a].at[at[a]];
+      home = home && s[a]->shift == 0;
       near = 3 * near + s[a]->shift + 1;
       beside = beside && std::abs(s[a]->shift) <= 1;
     }
@@ -260,6 +312,7 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
       if (++at[a] < slices[a].count) break;
       at[a] = 0;
     }
+    if (rest && home) continue;
     std::int32_t number = beside ? around.number[near] : -1;
     if (!beside) {
       PressureNode<D> lower = around.home;

@@ -11,6 +11,9 @@
 
 namespace scree {
 
+template <int D>
+struct PoreSums;
+
 /// An axis as the points of a pressure cell see it, in coordinates of the cell.
 struct PoreAxis {
   double wall[2];      ///< infinite where there is none
@@ -70,11 +73,18 @@ class PoreCells {
     PoreAxis axis[D];
   };
 
+  /// Of a step: its length [s], spacing of the nodes [m], largest half side of a box [cells].
+  struct Measures {
+    double dt, h, largest_half;
+  };
+
   Surroundings surroundings(const PressureNode<D>& home) const;
-  void add_run(const FlowPoints<D>& points, const FlowRun<D>& run, double dt, double h,
+  static bool near_wall(const Surroundings& around, double largest_half);
+  void add_run(const FlowPoints<D>& points, const FlowRun<D>& run, const Measures& m,
                const Weight& weight);
+  static void take(const PoreSums<D>& sums, const Measures& m, const Weight& weight, Cell& cell);
   void add_flow(const FlowPoints<D>& points, std::size_t point, const Surroundings& around,
-                double h, const Weight& weight);
+                bool rest, double h, const Weight& weight);
 
   PressureLattice<D> lattice_;
   AlignedVector<Cell> cells_;
