@@ -171,10 +171,8 @@ void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
 template <int D, class T>
 void GridUpdate<D, T>::move_periodic(std::vector<double>& masses) const {
   const auto each_pair = [this](int axis, auto&& f) {
-    for (const FacePair& pair : pairs_[axis]) {
-      if (faces_.type[axis][pair.side] != FaceType::periodic) continue;
-      f(std::size_t(pair.ghost), std::size_t(pair.image));
-    }
+    if (faces_.type[axis][0] != FaceType::periodic) return;  // then both faces are
+    for (const FacePair& pair : pairs_[axis]) f(std::size_t(pair.ghost), std::size_t(pair.image));
   };
   for (int axis = 0; axis < D; ++axis) {
     each_pair(axis, [&](std::size_t ghost, std::size_t image) {
