@@ -43,6 +43,8 @@ class CpuGroup {
   using Int = IntOf<V>;
   using Batch = CpuBatch<T>;
   static constexpr int max_set = 2;
+  /// Whether fused passes may serve runs with pore water that flows.
+  static constexpr bool takes_pore_water = true;
   using Shape = ArenaShape<Kernel, D>;
   static constexpr int dimension = D;
   static constexpr int width = lanes_of<V>;

@@ -51,6 +51,7 @@ class CudaGroup : private Summation<D, T> {
   using Int = IntOf<V>;
   using Batch = CudaBatch;
   static constexpr int max_set = 1;
+  static constexpr bool takes_pore_water = false;  ///< and kernels need no registers for it
   using Shape = ArenaShape<Kernel, D>;
   using Arena = CudaArena<D, Value, Kernel, Reads, Sums>;
   static constexpr int dimension = D;

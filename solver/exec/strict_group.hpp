@@ -42,6 +42,7 @@ class StrictGroup : private CpuGroup<D, T, Kernel> {
   using Base::channels;
   using Base::dimension;
   using Base::expect;
+  using Base::takes_pore_water;
   using Base::width;
 
   StrictGroup(const PassData<D, T>& data, T* arena) : Base(data, arena) {}

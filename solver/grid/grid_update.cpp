@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "solver/grid/face_fold.hpp"
@@ -164,6 +165,26 @@ void GridUpdate<D, T>::fold_periodic(AlignedVector<T>& channel) const {
       move_to_image(channel.data() + pair.image * node_values,
                     channel.data() + pair.ghost * node_values);
     }
+  }
+}
+
+template <int D, class T>
+void GridUpdate<D, T>::move_periodic(std::vector<double>& masses) const {
+  const auto each_pair = [this](int axis, auto&& f) {
+    if (faces_.type[axis][0] != FaceType::periodic) return;  // then both faces are
+    for (const FacePair& pair : pairs_[axis]) f(std::size_t(pair.ghost), std::size_t(pair.image));
+  };
+  for (int axis = 0; axis < D; ++axis) {
+    each_pair(axis, [&](std::size_t ghost, std::size_t image) {
+      masses[image] += masses[ghost];
+      masses[ghost] = 0;
+    });
+  }
+  constexpr double trace = std::numeric_limits<double>::min();  // adds nothing to a mass
+  for (int axis = D - 1; axis >= 0; --axis) {
+    each_pair(axis, [&](std::size_t ghost, std::size_t image) {
+      if (masses[image] > 0) masses[ghost] = trace;
+    });
   }
 }
 

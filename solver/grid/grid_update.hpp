@@ -54,6 +54,10 @@ class GridUpdate {
 
   /// Adds what lies beyond periodic faces to the images within, on momenta; before blocks change.
   void fold_periodic(AlignedVector<T>& channel) const;
+  /// Masses of nodes, one a record: ghosts beyond periodic faces give theirs to their images. Then
+  /// all ghosts of a node with mass get next to none, which says that particles may see them: those
+  /// that scattered may have been moved to the other side since then.
+  void move_periodic(std::vector<double>& masses) const;
 
   /// Reactions of the last apply(), one a collider.
   const std::vector<Reaction>& reactions() const { return reactions_; }

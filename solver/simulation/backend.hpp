@@ -145,8 +145,8 @@ class Backend {
   virtual const AlignedVector<T>& momenta() = 0;
   virtual void set_momenta(const std::vector<T>& values) = 0;
 
-  /// After update_grid() of a split step. Nothing where the grid is out of the processor's reach;
-  /// such a backend takes no coupling.
+  /// What update_grid() updates, or has updated. Nothing where the grid is out of the processor's
+  /// reach; such a backend takes no coupling.
   virtual UpdatedGrid<D, T> updated_grid() { return {}; }
 
   virtual std::int64_t grid_bytes() const = 0;

@@ -83,7 +83,7 @@ struct SimulationSetup {
   std::vector<ColliderSpec> colliders;
   std::vector<BodySetup> bodies;
   std::vector<TractionSetup> tractions;
-  /// Pore water that flows, in the bodies with pores. Takes the split path.
+  /// Pore water that flows, in the bodies with pores. With halvings it takes the split path.
   std::optional<CouplingSetup> coupling;
   Schedule schedule;
   bool keep_reference = true;  ///< keep X (needed for displacement, tractions and body forces)
@@ -155,7 +155,8 @@ class Simulation {
   virtual std::int64_t block_count() const = 0;  ///< active grid blocks
   virtual MemoryReport memory() const = 0;
   virtual PhaseTimes phases() const = 0;
-  virtual StepTraffic traffic() const { return {}; }  ///< of a fused step; 0 where it is split
+  /// Of a fused step without pore water that flows; 0 of others.
+  virtual StepTraffic traffic() const { return {}; }
   /// What bounds the coming step. After load() the places are known from the next step on.
   virtual StepLimit step_limit() const { return {}; }
 };

@@ -92,7 +92,8 @@ void SimulationImpl<D, T>::start_flow() {
   }
 }
 
-/// Masses as scattered, before faces fold them.
+/// Masses as scattered, before faces fold them; but beyond periodic faces, which a body may just be
+/// passing: there all ghosts of a node count as seen.
 template <int D, class T>
 void SimulationImpl<D, T>::note_masses() {
   if (!flow_) return;
@@ -101,6 +102,7 @@ void SimulationImpl<D, T>::note_masses() {
   mass.resize(nodes.size() / node_values);
   for (std::size_t r = 0; r < mass.size(); ++r)
     mass[r] = double(nodes[r * node_values + mass_slot]);
+  backend_->updated_grid().update->move_periodic(mass);
 }
 
 /// The blocks of particles with water; returns the number of these.

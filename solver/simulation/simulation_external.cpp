@@ -76,7 +76,7 @@ void SimulationImpl<D, T>::update_external() {
     external_work_ = external_work(external_power());
     update_loads();
   }
-  add_gained_weight();
+  add_gained_weight(gravity_of(clock_.time, clock_.dt));
   if (external_) external_power_ = external_power();
   backend_->take_aux(layout_.external, D);
   time_phase(Phase::external, start);
@@ -140,13 +140,22 @@ void SimulationImpl<D, T>::update_loads_alone() {
   backend_->write_loaded();
 }
 
+/// The same force for a fused step, which scatters those of the next one.
+template <int D, class T>
+void SimulationImpl<D, T>::weigh_gained_water(const PlannedStep& next) {
+  if (layout_.external < 0) return;
+  const auto start = std::chrono::steady_clock::now();
+  add_gained_weight(gravity_of(clock_.next_time, next.dt));
+  backend_->take_aux(layout_.external, D);
+  time_phase(Phase::external, start);
+}
+
 /// Particles keep their mass; the weight of the water that they have gained since the start, or
 /// lost, is a force.
 template <int D, class T>
-void SimulationImpl<D, T>::add_gained_weight() {
+void SimulationImpl<D, T>::add_gained_weight(const std::array<double, 3>& gravity) {
   if (!flow_ || !setup_.gravity) return;
   constexpr int width = ParticleStore<D, T>::width, lanes = PoreStates<D>::width;
-  const std::array<double, 3> gravity = grid_forces().gravity;
   for (State& state : bodies_) {
     const BodyInfo& info = state.body->info();
     ParticleStore<D, T>& store = state.body->store();

@@ -68,7 +68,7 @@ class SimulationImpl final : public Simulation {
   void check_path() const;
   GridDomain<D> make_domain() const;
   Faces<D> make_faces() const;
-  AuxLayout make_layout() const;
+  AuxLayout make_layout(bool motion) const;
   bool averages() const { return setup_.volumetric_locking == VolumetricLocking::fbar; }
   int volume_ratio_field() const { return averages() ? layout_.total - volume_aux_fields : -1; }
   void start_volume_ratios(State& state);
@@ -83,6 +83,7 @@ class SimulationImpl final : public Simulation {
   void step_fused();
   void step_split();
   void bin_if_needed();
+  std::array<double, 3> gravity_of(double begin, double dt) const;
   GridForces grid_forces() const;
   void update_grid();
   void scatter_all(double dt);
@@ -90,7 +91,8 @@ class SimulationImpl final : public Simulation {
   void update_external();
   void update_loads_alone();
   void update_loads();
-  void add_gained_weight();
+  void weigh_gained_water(const PlannedStep& next);
+  void add_gained_weight(const std::array<double, 3>& gravity);
   double external_power() const;
   double external_work(double power_at_end) const;
   void note_collider_work();

@@ -64,7 +64,7 @@ std::int64_t SimulationImpl<D, T>::particle_count() const {
 
 template <int D, class T>
 void SimulationImpl<D, T>::require_record(const char* what) const {
-  if (recorded_ && layout_.total > 0) return;
+  if (recorded_ && layout_.velocity >= 0) return;
   throw std::logic_error(std::string(what) +
                          " asked for at a time that is no event of the schedule");
 }

@@ -17,11 +17,21 @@ namespace {
 
 int lattices_of(KernelType kernel) { return kernel == KernelType::compact ? 2 : 1; }
 
-bool can_fuse(const SimulationSetup& setup) {
-  return setup.transfer == TransferType::mls && setup.kernel != KernelType::linear &&
-         setup.damping != DampingType::local && !setup.body_force && setup.tractions.empty() &&
-         !setup.coupling && setup.volumetric_locking == VolumetricLocking::none;
+/// What keeps a run from the fused path, as the path would say it; empty: nothing does.
+std::string fused_path_needs(const SimulationSetup& setup) {
+  if (setup.transfer != TransferType::mls) return "transfer mls";
+  if (setup.kernel == KernelType::linear) return "the compact or quadratic kernel";
+  if (setup.damping == DampingType::local) return "a run without local damping";
+  if (setup.body_force) return "a run without body forces";
+  if (!setup.tractions.empty()) return "a run without tractions";
+  if (setup.volumetric_locking != VolumetricLocking::none) return "volumetric_locking = \"none\"";
+  if (setup.coupling && setup.coupling->halvings > 0) {
+    return "coupling.halvings = 0: a step whose forces are on the grid already cannot be halved";
+  }
+  return "";
 }
+
+bool can_fuse(const SimulationSetup& setup) { return fused_path_needs(setup).empty(); }
 
 bool needs_separate_force(const SimulationSetup& setup) {
   return setup.transfer == TransferType::flip || setup.damping == DampingType::local;
@@ -82,7 +92,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
                  ? can_fuse(setup_) && !(device_ && setup_.deterministic)
                  : setup_.path == PathType::fused),
       separate_(needs_separate_force(setup_)),
-      layout_(make_layout()),
+      layout_(make_layout(true)),
       executor_(setup_.threads),
       domain_(make_domain()) {
   check_path();
@@ -120,10 +130,8 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
 /// What the deck's checks leave to this: paths and devices are no keys of it.
 template <int D, class T>
 void SimulationImpl<D, T>::check_path() const {
-  if (fused_ && !can_fuse(setup_)) {
-    throw UserError(
-        "the fused path needs transfer mls with the compact or quadratic kernel, without "
-        "local damping, tractions, body forces, coupling and volumetric_locking");
+  if (const std::string needs = fused_path_needs(setup_); fused_ && !needs.empty()) {
+    throw UserError("the fused path needs " + needs);
   }
   if (averages() && device_) {
     throw UserError("volumetric_locking is computed by the processor; use the backend cpu");
@@ -180,14 +188,17 @@ std::unique_ptr<Backend<D, T>> SimulationImpl<D, T>::make_backend() {
   return std::make_unique<CpuBackend<D, T>>(config, layout_, bodies_, executor_);
 }
 
+/// `motion`: with what p2g and records read. The pore water's points read dt grad v.
 template <int D, class T>
-AuxLayout SimulationImpl<D, T>::make_layout() const {
+AuxLayout SimulationImpl<D, T>::make_layout(bool motion) const {
   AuxLayout layout;
-  layout.velocity = 0;
-  layout.affine = D;
-  layout.stress = D + D * D;
-  layout.total = layout.stress + 6;
-  if (fused_) return layout;
+  if (motion) {
+    layout.velocity = 0;
+    layout.affine = D;
+    layout.stress = D + D * D;
+    layout.total = layout.stress + 6;
+  }
+  if (fused_ && !setup_.coupling) return layout;
   layout.increment = layout.total;
   layout.total += D * D;
   const bool changing_weight = setup_.coupling && setup_.gravity;

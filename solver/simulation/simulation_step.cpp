@@ -30,8 +30,12 @@ void SimulationImpl<D, T>::step() {
 /// The grid holds the momenta of this step, scattered by the one before.
 template <int D, class T>
 void SimulationImpl<D, T>::step_fused() {
+  collect_flow();
+  note_masses();
   update_grid();
+  couple_flow(0);  // or it ends the run: such a step is not halved
   const PlannedStep next = plan(clock_.next_time, step_ + 1);
+  weigh_gained_water(next);
   const auto start = Clock::now();
   recorded_ = setup_.record && setup_.schedule.record_due(clock_.next_time);
   backend_->g2p2g(parameters(clock_.dt, next.dt));
@@ -94,7 +98,7 @@ void SimulationImpl<D, T>::first_step() {
   if (!fused_) return;
   scatter_all(clock_.dt);
   if (setup_.record) return;
-  layout_ = AuxLayout{};
+  layout_ = make_layout(false);
   backend_->set_layout(layout_);
 }
 
@@ -110,12 +114,18 @@ void SimulationImpl<D, T>::scatter_all(double dt) {
   time_phase(Phase::particles, start);
 }
 
-/// What acts on the nodes in this step, gravity at its middle.
+/// Gravity in a step: that at its middle.
+template <int D, class T>
+std::array<double, 3> SimulationImpl<D, T>::gravity_of(double begin, double dt) const {
+  return setup_.gravity ? setup_.gravity(begin + 0.5 * dt) : std::array<double, 3>{};
+}
+
+/// What acts on the nodes in this step.
 template <int D, class T>
 GridForces SimulationImpl<D, T>::grid_forces() const {
   GridForces forces;
   forces.dt = clock_.dt;
-  if (setup_.gravity) forces.gravity = setup_.gravity(clock_.time + 0.5 * clock_.dt);
+  forces.gravity = gravity_of(clock_.time, clock_.dt);
   forces.damping = setup_.damping;
   forces.damping_value = setup_.damping_value;
   forces.separate_force = separate_;
@@ -178,7 +188,7 @@ PassParameters<T> SimulationImpl<D, T>::pass_parameters(const State& state, doub
   par.particle_volume = T(state.body->info().particle_volume);
   par.undrained_bulk_modulus = T(state.body->info().undrained_bulk_modulus);
   par.flip_blend = T(setup_.flip_blend);
-  par.record = recorded_ && fused_ && layout_.total > 0;
+  par.record = recorded_ && fused_ && layout_.velocity >= 0;
   par.separate_force = separate_;
   for (int a = 0; a < D; ++a) {
     const T far = T(1e30);

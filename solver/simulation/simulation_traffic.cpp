@@ -6,10 +6,10 @@
 
 namespace scree {
 
-/// Counted from what the fused step does, line by line of its passes.
+/// Counted from what the fused step does, line by line of its passes; that of pore water is not.
 template <int D, class T>
 StepTraffic SimulationImpl<D, T>::traffic() const {
-  if (!fused_ || device_) return {};
+  if (!fused_ || device_ || flow_) return {};
   constexpr std::int64_t record = node_values * sizeof(T);
   const int arena_nodes = setup_.kernel == KernelType::compact ? ArenaShape<Compact, D>::nodes
                                                                : ArenaShape<Quadratic, D>::nodes;

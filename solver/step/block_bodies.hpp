@@ -27,8 +27,8 @@ SCREE_FN void p2g_block(G& g, const PassData<D, T>& data) {
     const auto point = Kernel::template at<V, D>(u);
     Motion<V, D> motion;
     load_motion(g, b, data.layout, motion);
-    const Impulse<V, D> impulse =
-        make_impulse<V, D>(par, load_stress<V>(g, b, data.layout), g, b, data.layout);
+    Impulse<V, D> impulse = make_impulse<V, D>(par, load_stress<V>(g, b, data.layout));
+    add_external(par, g, b, data.layout, impulse);
     Transfer::scatter(g, point, par.particle_mass, motion, impulse, par.separate_force,
                       live_lanes<V>(g, b));
   });
@@ -55,12 +55,8 @@ SCREE_FN void g2p_block(G& g, const PassData<D, T>& data) {
     move_particle(g, b, par, motion, u);
     store_motion(g, b, data.layout, motion);
     const Mat3<V> increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
-    for (int c = 0; c < D; ++c) {
-      g.store(b, c, u[c]);
-      for (int a = 0; a < D; ++a) {
-        g.store_aux(b, data.layout.increment + c * D + a, increment(c, a));
-      }
-    }
+    for (int c = 0; c < D; ++c) g.store(b, c, u[c]);
+    store_increment<V, D>(g, b, data.layout, increment);
   });
 }
 
@@ -97,10 +93,11 @@ struct Underway {
   V live;
 };
 
-/// Gathers, moves the particles and stores their positions.
+/// Gathers, moves the particles and stores their positions, and what pore water needs of the step.
 template <class Kernel, class G, class V, int D, class T>
-SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassParameters<T>& par,
+SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassData<D, T>& data,
                               Underway<V, D>& p) {
+  const PassParameters<T>& par = data.parameters;
   V u[D];
   load_position(g, b, u);
   Motion<V, D> motion;
@@ -113,6 +110,9 @@ SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassParame
     for (int a = 0; a < D; ++a) p.affine[c][a] = motion.affine[c][a];
   }
   p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
+  if constexpr (G::takes_pore_water) {
+    if (data.layout.increment >= 0) store_increment<V, D>(g, b, data.layout, p.increment);
+  }
 }
 
 /// Scatters with the stress tau [Pa].
@@ -131,8 +131,10 @@ SCREE_FN void return_to_grid(G& g, const typename G::Batch& b, const PassData<D,
     store_motion(g, b, data.layout, motion);
     store_stress(g, b, data.layout, tau);
   }
-  Mls<Kernel>::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion,
-                       make_impulse<V, D>(par, tau), false, p.live);
+  Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
+  if constexpr (G::takes_pore_water) add_external(par, g, b, data.layout, impulse);
+  Mls<Kernel>::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion, impulse, false,
+                       p.live);
 }
 
 /// The material update of the batches of a set together.
@@ -165,7 +167,8 @@ SCREE_FN auto update_together(G& g, const BatchSet<typename G::Batch, n>& set,
 
 /// The fused pass: gather the new grid velocities, move and deform the particle, return its stress
 /// to the next step's grid. Only position and material state are stored; velocity, affine matrix
-/// and stress leave the registers on request (par.record).
+/// and stress leave the registers on request (par.record), dt grad v where the layout has a place
+/// for it (pore water).
 template <class Kernel, class Material, class G, int D, class T>
 SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
                           const typename Material::template Params<T>& material) {
@@ -178,7 +181,7 @@ SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
   g.template each_set<size>([&](const BatchSet<typename G::Batch, size>& set) {
     Underway<V, D> p[size];
     SCREE_UNROLL_ON_DEVICE for (int i = 0; i < size; ++i) {
-      if (set.holds(i)) gather_and_move<Kernel>(g, set.batch[i], par, p[i]);
+      if (set.holds(i)) gather_and_move<Kernel>(g, set.batch[i], data, p[i]);
     }
     if (set.parts < size) p[size - 1] = p[0];
     const auto tau = update_together<Material>(g, set, par, material, p);

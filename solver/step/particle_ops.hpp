@@ -64,6 +64,14 @@ SCREE_FN void store_stress(G& g, const typename G::Batch& b, const AuxLayout& la
   g.store_aux(b, s + 5, tau.zz);
 }
 
+template <class V, int D, class G>
+SCREE_FN void store_increment(G& g, const typename G::Batch& b, const AuxLayout& layout,
+                              const Mat3<V>& increment) {
+  for (int c = 0; c < D; ++c) {
+    for (int a = 0; a < D; ++a) g.store_aux(b, layout.increment + c * D + a, increment(c, a));
+  }
+}
+
 /// Impulse of the Kirchhoff stress over the next step; no external force.
 template <class V, int D, class T>
 SCREE_FN Impulse<V, D> make_impulse(const PassParameters<T>& par, const Sym3<V>& tau) {
@@ -75,16 +83,14 @@ SCREE_FN Impulse<V, D> make_impulse(const PassParameters<T>& par, const Sym3<V>&
   return impulse;
 }
 
-/// The same with the stored external force, where there is one.
+/// The stored external force over the next step, where there is one.
 template <class V, int D, class T, class G>
-SCREE_FN Impulse<V, D> make_impulse(const PassParameters<T>& par, const Sym3<V>& tau, const G& g,
-                                    const typename G::Batch& b, const AuxLayout& layout) {
-  Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
-  if (layout.external < 0) return impulse;
+SCREE_FN void add_external(const PassParameters<T>& par, const G& g, const typename G::Batch& b,
+                           const AuxLayout& layout, Impulse<V, D>& impulse) {
+  if (layout.external < 0) return;
   for (int c = 0; c < D; ++c) {
     impulse.external[c] = g.load_aux(b, layout.external + c) * (par.dt_next * par.particle_mass);
   }
-  return impulse;
 }
 
 /// dt/dx for particles, 0 for padding lanes, which must neither move nor deform.

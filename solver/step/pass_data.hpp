@@ -13,8 +13,8 @@ struct AuxLayout {
   int velocity = -1;   ///< D entries [m/s]
   int affine = -1;     ///< D*D entries, B = 1/2 sum w v (x_i - x_p)^T in units of m/s x cells
   int stress = -1;     ///< 6 entries, Kirchhoff stress [Pa]: xx, xy, xz, yy, yz, zz
-  int increment = -1;  ///< D*D entries, dt grad v of the last step (split path)
-  int external = -1;   ///< D entries, external force per mass [m/s^2] (tractions, body forces)
+  int increment = -1;  ///< D*D entries, dt grad v of the last step (split path, pore water)
+  int external = -1;   ///< D entries, external force per mass [m/s^2] (loads, gained water)
   int total = 0;
 };
 

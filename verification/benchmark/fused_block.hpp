@@ -22,6 +22,7 @@ class FusedBlock {
   static constexpr int particles = block_node_count<D> * (1 << D);
 
   FusedBlock() : arena_(Group::arena_values), first_(particle_values()) {
+    data_.layout = AuxLayout{};
     typename Material::Input input;
     set_typical_values(Material::schema(), &input, D);
     params_ = Material::template params<T>(input, 1700.0, D);
@@ -55,7 +56,7 @@ class FusedBlock {
   }
 
   Scene scene_{Kernel::lattices, {particles}, 7, state_entries<State, typename Group::V> - 9};
-  PassData<D, T> data_ = scene_.data();
+  PassData<D, T> data_ = scene_.data();  // with the layout of a run that records nothing
   AlignedVector<T> arena_;
   typename Material::template Params<T> params_;
   std::vector<T> first_;

@@ -56,6 +56,7 @@ class Pass {
 
   Executed over_blocks(std::size_t times) {
     PassData<3, T> data = scene_.data();
+    data.layout = AuxLayout{};  // of a run without pore water that records nothing
     data.parameters.dt = data.parameters.dt_next = T(1e-3);
     data.parameters.derive();
     Executor executor(1);

@@ -62,14 +62,24 @@ SimulationSetup scene(int dimension, int spacing, bool periodic, VolumetricLocki
 struct Case {
   int dimension, spacing;
   bool periodic;
+  PathType path = PathType::fused;
   VolumetricLocking locking = VolumetricLocking::none;
-  SimulationSetup setup() const { return scene(dimension, spacing, periodic, locking); }
+  KernelType kernel = KernelType::compact;
+  SimulationSetup setup() const {
+    SimulationSetup setup = scene(dimension, spacing, periodic, locking);
+    setup.path = path;
+    setup.kernel = kernel;
+    return setup;
+  }
   bool averages() const { return locking == VolumetricLocking::fbar; }
 };
-/// For the tests' names, which are else its bytes.
-void PrintTo(const Case& c, std::ostream* out) {
-  *out << c.dimension << "D, spacing " << c.spacing << (c.averages() ? ", fbar" : "");
+std::string name_of(const Case& c) {
+  return "d" + std::to_string(c.dimension) + "_spacing" + std::to_string(c.spacing) +
+         (c.kernel == KernelType::quadratic ? "_quadratic" : "") + (c.periodic ? "_periodic" : "") +
+         (c.path == PathType::fused ? "_fused" : "_split") + (c.averages() ? "_fbar" : "");
 }
+/// For the tests' names, which are else its bytes.
+void PrintTo(const Case& c, std::ostream* out) { *out << name_of(c); }
 class CoupledRestart : public ::testing::TestWithParam<Case> {};
 
 TEST_P(CoupledRestart, continues_bitwise) {
@@ -102,17 +112,27 @@ TEST_P(CoupledRestart, runs_beside_each_other_do_not_meet) {
   for (const auto& end : ends) EXPECT_TRUE(end && *end == alone);
 }
 
-INSTANTIATE_TEST_SUITE_P(all, CoupledRestart,
-                         ::testing::Values(Case{2, 1, false}, Case{2, 2, false}, Case{3, 2, true},
-                                           Case{3, 2, false},
-                                           Case{2, 2, false, VolumetricLocking::fbar},
-                                           Case{3, 2, true, VolumetricLocking::fbar}),
-                         [](const auto& info) {
-                           const Case& c = info.param;
-                           return "d" + std::to_string(c.dimension) + "_spacing" +
-                                  std::to_string(c.spacing) + (c.periodic ? "_periodic" : "") +
-                                  (c.averages() ? "_fbar" : "");
-                         });
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const PathType path : {PathType::fused, PathType::split}) {
+    for (const Case& c :
+         {Case{2, 1, false}, Case{2, 2, false}, Case{3, 2, true}, Case{3, 2, false}}) {
+      all.push_back(c);
+      all.back().path = path;
+    }
+  }
+  for (const Case& c : {Case{2, 2, false}, Case{3, 2, true}}) {
+    all.push_back(c);
+    all.back().path = PathType::split;
+    all.back().locking = VolumetricLocking::fbar;
+  }
+  all.push_back({2, 2, true});
+  all.back().kernel = KernelType::quadratic;
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(all, CoupledRestart, ::testing::ValuesIn(cases()),
+                         [](const auto& info) { return name_of(info.param); });
 
 }  // namespace
 }  // namespace scree::testing

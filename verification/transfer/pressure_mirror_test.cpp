@@ -186,10 +186,8 @@ TEST_P(PressureMirror, part_moves_as_the_whole) {
 
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const TransferType transfer : {TransferType::mls, TransferType::apic}) {
-    Method method;
-    method.transfer = transfer;
-    method.path = PathType::split;
+  for (const Method& method : all_methods()) {
+    if (method.kernel != KernelType::compact || !method.affine()) continue;
     for (const int dimension : {2, 3}) {
       for (const int planes : {1, 2}) {
         for (const int side : {0, 1}) {

@@ -92,7 +92,6 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const int dimension : {2, 3}) {
     for (const Method& method : all_methods()) {
-      if (method.path == PathType::fused) continue;
       all.push_back({dimension, 2, method});
       if (method.kernel == KernelType::compact && method.affine())
         all.push_back({dimension, 1, method});
