@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/coupling/flow_columns.hpp"
+
 namespace scree {
 namespace {
 
@@ -44,6 +46,7 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       solver_(setup_.preconditioner.empty() ? default_preconditioner(D) : setup_.preconditioner,
               setup_.tolerance, setup_.solver_options),
       compressed_(solver_.needs_entries() || !PressureProduct<D>::serves(lattice_)),
+      order_(lattice_),
       states_(particles),
       own_(domain.own_increments ? std::size_t(particles) : 0),
       outflow_(surfaces_.count(), 0.0) {
@@ -73,6 +76,7 @@ void CoupledFlow<D>::end_order() {
     left_ += fluid_mass(std::int32_t(body), id, number(id, PoreRow<D>::ratio));
   });
   point_of_.assign(std::size_t(states_.places()), -1);
+  order_.forget();
 }
 
 template <int D>
@@ -108,26 +112,81 @@ void CoupledFlow<D>::time_part(Part part, Clock::time_point& start) {
 template <int D>
 std::vector<std::pair<std::string, double>> CoupledFlow<D>::times() const {
   const auto at = [this](Part part) { return seconds_[std::size_t(part)]; };
-  return {{"pore_points", at(Part::points)}, {"pore_constraints", at(Part::constraints)},
-          {"pore_volume", at(Part::volume)}, {"pore_storage", at(Part::storage)},
-          {"pore_matrix", at(Part::matrix)}, {"pore_solve", at(Part::solve)},
+  return {{"pore_points", at(Part::points)},
+          {"pore_constraints", at(Part::constraints)},
+          {"pore_matrix", at(Part::matrix)},
+          {"pore_solve", at(Part::solve)},
           {"pore_forces", at(Part::forces)}};
+}
+
+template <int D>
+void CoupledFlow<D>::begin_points(bool loaded) {
+  const std::int64_t count = chunks_.empty() ? 0 : chunks_.back().end;
+  loaded_ = loaded;
+  order_.resize(count);
+  points_.resize(count);
+}
+
+template <int D>
+void CoupledFlow<D>::assemble(const std::function<void(std::int32_t, FlowPoints<D>&)>& fill,
+                              ThreadPool& pool) {
+  auto start = Clock::now();
+  order_.finish();
+  cells_.begin(chunks_);
+  volume_.begin(loaded_);
+  // Bodies one after the other, columns of one colour at a time: each sum has one order.
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (!bodies_[b].pores) continue;
+    const bool all_alone = largest_half(b) > PoreCells<D>::longest_half;
+    const FlowColumns<D> columns(chunks_, std::int32_t(b), domain_.cells, domain_.periodic,
+                                 all_alone);
+    for (const auto& of_colour : columns.colours) {
+      pool.for_each(std::int64_t(of_colour.size()), [&](std::int64_t c, int) {
+        for (const std::int32_t chunk : of_colour[std::size_t(c)]) assemble_chunk(chunk, fill);
+      });
+    }
+    for (const auto& column : columns.alone) {
+      for (const std::int32_t chunk : column) assemble_chunk(chunk, fill);
+    }
+  }
+  time_part(Part::points, start);
+}
+
+/// Half side of the largest box of a body, in pressure cells.
+template <int D>
+double CoupledFlow<D>::largest_half(std::size_t body) const {
+  return half_side_[body] / h_ * longest_box;
+}
+
+template <int D>
+void CoupledFlow<D>::assemble_chunk(std::int32_t number,
+                                    const std::function<void(std::int32_t, FlowPoints<D>&)>& fill) {
+  const FlowChunk<D>& chunk = chunks_[std::size_t(number)];
+  const std::size_t body = std::size_t(chunk.body);
+  thread_local FlowPoints<D> points;
+  points.resize(chunk.end - chunk.begin, loaded_);
+  fill(number, points);
+  keep(chunk, points);
+  volume_.scatter(points, chunk, biot_[body]);
+  cells_.add(points, chunk, {h_, largest_half(body)}, bodies_[body].pores->fluid_density);
 }
 
 template <int D>
 bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool) {
   auto start = Clock::now();
   prepare(step, topology);
-  time_part(Part::constraints, start);
-  assemble_volume(pool);
+  fold_volume();
   reactions_.assign(step.colliders->size(), Reaction{});
   if (!volume_.load().empty()) push_loads(step, topology, pool);
-  time_part(Part::volume, start);
-  assemble(step, pool);
-  start = Clock::now();
+  time_part(Part::constraints, start);
+  make_system(step, pool);
+  time_part(Part::matrix, start);
   const bool solved = solve_system();
   time_part(Part::solve, start);
-  if (!solved) return false;
+  if (!solved) {
+    volume_.unfold();
+    return false;
+  }
   volume_.push(matrix_, solution_, constraints_.inverse(), step.dt, velocity_, force_, pool);
   push_groups(step, force_, topology);
   time_part(Part::forces, start);
@@ -142,7 +201,7 @@ void CoupledFlow<D>::prepare(const FlowStep<D>& step, const Topology<D>& topolog
   constraints_.find(
       step.decisions, velocity_, *step.colliders,
       [&](std::int64_t record) { return position(record, topology); }, step.touch);
-  if (!matrix_.set_nodes(cells_.find_cells(points_), compressed_) || matrix_.rows() == 0) return;
+  if (!matrix_.set_nodes(cells_.marks(), compressed_) || matrix_.rows() == 0) return;
   if (compressed_) {
     solver_.set_pattern(matrix_.row_begin(), matrix_.columns());
   } else {
@@ -152,8 +211,8 @@ void CoupledFlow<D>::prepare(const FlowStep<D>& step, const Topology<D>& topolog
 }
 
 template <int D>
-void CoupledFlow<D>::assemble_volume(ThreadPool& pool) {
-  volume_.assemble(points_, biot_, pool);
+void CoupledFlow<D>::fold_volume() {
+  volume_.keep_unfolded(setup_.halvings > 0);
   for (const NodeGroup<D>& group : constraints_.groups()) {
     for (std::int32_t m = group.begin + 1; m < group.end; ++m) {
       const auto& ghost = constraints_.members()[std::size_t(m)];
@@ -163,20 +222,8 @@ void CoupledFlow<D>::assemble_volume(ThreadPool& pool) {
 }
 
 template <int D>
-void CoupledFlow<D>::assemble(const FlowStep<D>& step, ThreadPool& pool) {
-  auto start = Clock::now();
-  std::vector<typename PoreCells<D>::Weight> weight(bodies_.size());
-  double largest_half = 0;
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    if (!bodies_[b].pores) continue;
-    largest_half = std::max(largest_half, half_side_[b] / h_ * longest_box);
-    for (std::size_t a = 0; a < D; ++a) {
-      weight[b][a] = bodies_[b].pores->fluid_density * step.gravity[a];
-    }
-  }
-  cells_.assemble(points_, step.dt, h_, weight, largest_half, pool);
-  cells_.add(matrix_);
-  time_part(Part::storage, start);
+void CoupledFlow<D>::make_system(const FlowStep<D>& step, ThreadPool& pool) {
+  cells_.add(step.dt, step.gravity, matrix_);
   surfaces_.add([this](std::int64_t id) { return surface_point(id); },
                 [this](std::int64_t id) { return deformation(id); }, step.end, h_,
                 domain_.cell_size, lattice_, domain_.lower, matrix_);
@@ -184,7 +231,6 @@ void CoupledFlow<D>::assemble(const FlowStep<D>& step, ThreadPool& pool) {
               pool);
   add_held(step.dt / lattices_);
   finish_matrix(pool);
-  time_part(Part::matrix, start);
 }
 
 /// Nodes that colliders hold, whose inverse mass is a matrix.

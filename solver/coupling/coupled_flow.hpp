@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "solver/coupling/drained_surface.hpp"
 #include "solver/coupling/flow_points.hpp"
 #include "solver/coupling/node_constraints.hpp"
+#include "solver/coupling/point_order.hpp"
 #include "solver/coupling/pore_cells.hpp"
 #include "solver/coupling/pore_states.hpp"
 #include "solver/coupling/pressure_matrix.hpp"
@@ -47,14 +49,15 @@ struct FlowDomain {
   double cell_size = 1;           ///< [m]
 };
 
-/// What the last step did to a vector of particles of one body.
+/// A vector of particles of a chunk, in the order of the block.
 template <int D>
-struct FlowIncrements {
+struct FlowVector {
   static constexpr int width = PoreStates<D>::width;
-  alignas(64) double value[D * D][width];  ///< dt grad v
-  std::int64_t place = 0;                  ///< in PoreStates, of the first lane
-  std::int64_t point[width];               ///< place in FlowPoints
-  int count = 0;                           ///< the others are padding, which holds any numbers
+  alignas(64) double position[D][width];       ///< cells from the block's lower corner
+  alignas(64) double increment[D * D][width];  ///< dt grad v of the last step
+  std::int64_t place = 0;                      ///< in PoreStates, of the first lane
+  int first = 0;                               ///< number of the first one in the block
+  int count = 0;                               ///< the others are padding: finite numbers
 };
 
 /// What a step gives to the pressure solve.
@@ -98,13 +101,20 @@ class CoupledFlow {
   /// Must be called before the points of a step are set, whose blocks the topology holds.
   void follow(const Topology<D>& topology);
 
-  // A step: masses, points, solve.
+  // A step: masses, points, solve. Points come chunk by chunk: first where they are, then, with the
+  // pores of the particles, Q, storage and flow of all chunks.
   NodeConstraints<D>& constraints() { return constraints_; }
-  FlowPoints<D>& points() { return points_; }
-  const PressureLattice<D>& lattice() const { return lattice_; }
-  /// Sets half, volume, capacity, mobility, content and place of points. Once a step a particle;
-  /// any thread.
-  void fill(const FlowIncrements<D>& increments, std::int32_t body);
+  std::vector<FlowChunk<D>>& chunks() { return chunks_; }
+  const std::vector<FlowChunk<D>>& chunks() const { return chunks_; }
+  PointOrder<D>& order() { return order_; }
+  /// The chunks are those of this step; loaded: points may have moments.
+  void begin_points(bool loaded);
+  /// After order() knows all points. fill(chunk number, points): sets the points of a chunk, on any
+  /// thread, by way of fill().
+  void assemble(const std::function<void(std::int32_t, FlowPoints<D>&)>& fill, ThreadPool& pool);
+  /// Follows the pores of a vector of particles over the last step and sets their points. Once a
+  /// step a particle; any thread.
+  void fill(const FlowVector<D>& particles, const FlowChunk<D>& chunk, FlowPoints<D>& points);
   bool keeps_increments() const { return !own_.empty(); }
   /// What the last step did to a particle, D x D; with FlowDomain::own_increments only. Any thread,
   /// one a particle.
@@ -157,11 +167,12 @@ class CoupledFlow {
   static constexpr double longest_box = 2;
 
   /// Parts of a solve, for the times.
-  enum class Part { points, constraints, volume, storage, matrix, solve, forces, count };
+  enum class Part { points, constraints, matrix, solve, forces, count };
   using Clock = std::chrono::steady_clock;
   void time_part(Part part, Clock::time_point& start);
 
   Mat3<double> deformation(std::int64_t id) const;
+  double largest_half(std::size_t body) const;
   double own_ratio(std::int64_t id, double volume_ratio) const;
   double number(std::int64_t id, int row) const { return states_.at(states_.place(id), row); }
   void save_nodes(StateWriter& writer) const;
@@ -169,8 +180,11 @@ class CoupledFlow {
   bool load_pores(const StateReader& reader);
   std::optional<SurfacePoint<D>> surface_point(std::int64_t id) const;
   void prepare(const FlowStep<D>& step, const Topology<D>& topology);
-  void assemble_volume(ThreadPool& pool);
-  void assemble(const FlowStep<D>& step, ThreadPool& pool);
+  void assemble_chunk(std::int32_t chunk,
+                      const std::function<void(std::int32_t, FlowPoints<D>&)>& fill);
+  void keep(const FlowChunk<D>& chunk, const FlowPoints<D>& points);
+  void fold_volume();
+  void make_system(const FlowStep<D>& step, ThreadPool& pool);
   void add_held(double factor);
   void finish_matrix(ThreadPool& pool);
   bool solve_system();
@@ -181,7 +195,7 @@ class CoupledFlow {
                           const std::vector<double>& force);
   std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
   void gather(const FlowStep<D>& step, ThreadPool& pool);
-  void gather_run(const FlowStep<D>& step, const FlowRun<D>& run, std::int32_t body);
+  void gather_run(const FlowStep<D>& step, const FlowChunk<D>& chunk, const FlowRun<D>& run);
 
   CouplingSetup setup_;
   FlowDomain<D> domain_;
@@ -197,7 +211,10 @@ class CoupledFlow {
   DrainedSurfaces<D> surfaces_;
   PressureSolver solver_;
   bool compressed_;  ///< the solver takes compressed rows, not product_
-  FlowPoints<D> points_;
+  std::vector<FlowChunk<D>> chunks_;
+  PointOrder<D> order_;
+  KeptPoints<D> points_;
+  bool loaded_ = false;                ///< points may have moments
   std::vector<std::uint64_t> blocks_;  ///< of the topology that volume_ knows
   std::vector<double> solution_;       ///< by row
   /// By lattice node: pressures of the last steps, the last one first; to start from.

@@ -53,21 +53,22 @@ Mat3<double> CoupledFlow<D>::deformation(std::int64_t id) const {
 
 template <int D>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
-void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body) {
-  constexpr int width = FlowIncrements<D>::width;
-  const FlowBody& flow = bodies_[std::size_t(body)];
+void CoupledFlow<D>::fill(const FlowVector<D>& particles, const FlowChunk<D>& chunk,
+                          FlowPoints<D>& points) {
+  constexpr int width = FlowVector<D>::width;
+  const FlowBody& flow = bodies_[std::size_t(chunk.body)];
   const PoreSetup& pores = *flow.pores;
   using Row = PoreRow<D>;
-  auto& state = states_.vector(increments.place).row;
+  auto& state = states_.vector(particles.place).row;
   Wide c[D][D], f[D][D], trace = broadcast<Wide>(0.0);
   for (int a = 0; a < D; ++a) {
-    for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(increments.value[a * D + b]);
+    for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(particles.increment[a * D + b]);
     trace = trace + c[a][a];
   }
-  alignas(64) double half[D][width], volume[width], capacity[width], mobility[width],
-      content[width];
+  constexpr int fields = 3 * D + 4;  // as they are listed below
+  alignas(64) double value[fields][width];
   Wide now[D][D];
-  const double side = half_side_[std::size_t(body)] / h_;
+  const double side = half_side_[std::size_t(chunk.body)] / h_;
   for (int a = 0; a < D; ++a) {
     Wide square = broadcast<Wide>(0.0);
     for (int b = 0; b < D; ++b) {
@@ -79,7 +80,7 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
       square = mul_add(sum, sum, square);
       f[a][b] = a == b ? c[a][b] + 1.0 : c[a][b];
     }
-    store(half[a], side * min(sqrt(square), longest_box));
+    store(value[2 * D + a], side * min(sqrt(square), longest_box));
   }
   const Wide before = scree::load<Wide>(state[Row::ratio]);
   const Wide start = scree::load<Wide>(state[Row::start_ratio]);
@@ -98,20 +99,41 @@ void CoupledFlow<D>::fill(const FlowIncrements<D>& increments, std::int32_t body
     for (int b = 0; b < D; ++b) store(state[a * D + b], now[a][b]);
   }
   store(state[Row::ratio], ratio);
-  store(volume, space);
-  store(capacity, room);
-  store(mobility, k);
-  store(content, room * scree::load<Wide>(state[Row::pressure]) - defect);
-  for (int i = 0; i < increments.count; ++i) {
-    const std::size_t p = std::size_t(increments.point[i]);
-    for (std::size_t a = 0; a < D; ++a) points_.half[a][p] = half[a][i];
-    points_.volume[p] = volume[i];
-    points_.capacity[p] = capacity[i];
-    points_.mobility[p] = mobility[i];
-    points_.content[p] = content[i];
-    points_.place[p] = increments.place + i;
-    point_of_[std::size_t(increments.place + i)] = std::int32_t(p);
+  store(value[3 * D], space);
+  store(value[3 * D + 1], room);
+  store(value[3 * D + 2], k);
+  store(value[3 * D + 3], room * scree::load<Wide>(state[Row::pressure]) - defect);
+  const auto spot = order_.find(chunk, particles.position);
+  double* field[fields] = {};
+  for (std::size_t a = 0; a < D; ++a) {
+    store(value[a], spot.local[a]);
+    store(value[D + a], spot.xi[a]);
+    field[a] = points.local[a].data();
+    field[D + a] = points.xi[a].data();
+    field[2 * D + a] = points.half[a].data();
   }
+  field[3 * D] = points.volume.data();
+  field[3 * D + 1] = points.capacity.data();
+  field[3 * D + 2] = points.mobility.data();
+  field[3 * D + 3] = points.content.data();
+  for (int i = 0; i < particles.count; ++i) {
+    const std::size_t p = std::size_t(order_.place(chunk, particles.first + i));
+    SCREE_UNROLL for (int f = 0; f < fields; ++f) field[f][p] = value[f][i];
+    points.place[p] = particles.place + i;
+    point_of_[std::size_t(particles.place + i)] = std::int32_t(chunk.begin + std::int64_t(p));
+  }
+}
+
+/// What the end of the step needs of a chunk's points.
+template <int D>
+void CoupledFlow<D>::keep(const FlowChunk<D>& chunk, const FlowPoints<D>& points) {
+  const std::size_t count = std::size_t(chunk.end - chunk.begin), to = std::size_t(chunk.begin);
+  for (std::size_t a = 0; a < D; ++a) {
+    std::copy_n(points.xi[a].data(), count, points_.xi[a].data() + to);
+  }
+  std::copy_n(points.capacity.data(), count, points_.capacity.data() + to);
+  std::copy_n(points.mobility.data(), count, points_.mobility.data() + to);
+  std::copy_n(points.place.data(), count, points_.place.data() + to);
 }
 
 template <int D>
@@ -119,10 +141,14 @@ std::optional<SurfacePoint<D>> CoupledFlow<D>::surface_point(std::int64_t id) co
   const std::int64_t place = states_.place(id);
   if (place < 0) return std::nullopt;
   const std::int64_t index = point_of_[std::size_t(place)];
-  const FlowChunk<D>& chunk = points_.chunk_of(index);
+  const auto after =
+      std::upper_bound(chunks_.begin(), chunks_.end(), index,
+                       [](std::int64_t p, const FlowChunk<D>& chunk) { return p < chunk.begin; });
+  const FlowChunk<D>& chunk = *std::prev(after);
   SurfacePoint<D> point;
   for (const FlowRun<D>& run : chunk.runs) {
-    if (index >= run.begin && index < run.end) point.cell = run.cell;
+    const std::int64_t at = index - chunk.begin;
+    if (at >= run.begin && at < run.end) point.cell = run.cell;
   }
   for (std::size_t a = 0; a < D; ++a) point.xi[a] = points_.xi[a][std::size_t(index)];
   point.mobility = points_.mobility[std::size_t(index)];
@@ -133,23 +159,25 @@ std::optional<SurfacePoint<D>> CoupledFlow<D>::surface_point(std::int64_t id) co
 /// Pressure and seepage of the particles.
 template <int D>
 void CoupledFlow<D>::gather(const FlowStep<D>& step, ThreadPool& pool) {
-  pool.for_each(std::int64_t(points_.chunks.size()), [&](std::int64_t c, int) {
-    const FlowChunk<D>& chunk = points_.chunks[std::size_t(c)];
-    for (const FlowRun<D>& run : chunk.runs) gather_run(step, run, chunk.body);
+  pool.for_each(std::int64_t(chunks_.size()), [&](std::int64_t c, int) {
+    const FlowChunk<D>& chunk = chunks_[std::size_t(c)];
+    for (const FlowRun<D>& run : chunk.runs) gather_run(step, chunk, run);
   });
   surfaces_.add_outflow(matrix_, solution_, step.dt, outflow_);
 }
 
 template <int D>
-void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowRun<D>& run, std::int32_t body) {
+void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowChunk<D>& chunk,
+                                const FlowRun<D>& run) {
   constexpr int corners = 1 << D, width = lanes_of<Wide>;
   using Row = PoreRow<D>;
-  const double density = bodies_[std::size_t(body)].pores->fluid_density;
+  const double density = bodies_[std::size_t(chunk.body)].pores->fluid_density;
   double nodal[corners];
   for (int k = 0; k < corners; ++k) {
     nodal[k] = solution_[std::size_t(matrix_.row(corner<D>(run.cell, k)))];
   }
-  for (std::int64_t first = run.begin; first < run.end; first += width) {
+  const std::int64_t end = chunk.begin + run.end;
+  for (std::int64_t first = chunk.begin + run.begin; first < end; first += width) {
     Wide hat[D][2], value, gradient[D];
     for (std::size_t a = 0; a < D; ++a) {
       hat[a][1] = load_any<Wide>(points_.xi[a].data() + first);
@@ -158,7 +186,7 @@ void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowRun<D>& run, 
     interpolate<D>(nodal, hat, value, gradient);
     alignas(64) double pressure[width];
     store(pressure, value);
-    const int count = int(std::min<std::int64_t>(width, run.end - first));
+    const int count = int(std::min<std::int64_t>(width, end - first));
     for (int i = 0; i < count; ++i) {
       const std::size_t p = std::size_t(first + i);
       auto& state = states_.vector(points_.place[p]).row;

@@ -99,7 +99,7 @@ std::int64_t CoupledFlow<D>::bytes() const {
   const std::size_t numbers =
       solution_.capacity() + 3 * nodal_[0].capacity() + force_.capacity() + D * D * own_.capacity();
   return std::int64_t(8 * numbers + 4 * point_of_.capacity()) + states_.bytes() + points_.bytes() +
-         volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
+         order_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
 }
 
 namespace {

@@ -14,21 +14,19 @@
 
 namespace scree {
 
-/// Points of a chunk in one pressure cell; they lie together in FlowPoints.
+/// Points of a chunk in one pressure cell, from one place in the chunk's order to another.
 template <int D>
 struct FlowRun {
   PressureNode<D> cell{};
   std::int64_t begin = 0, end = 0;
 };
 
-/// The points of one block of one body, one after the other in FlowPoints, cell by cell.
+/// The points of one block of one body. Points of all chunks are numbered chunk by chunk.
 template <int D>
 struct FlowChunk {
   std::int64_t begin = 0, end = 0;
   BlockCoord<D> block{};
-  std::int32_t grid_block = 0;  ///< in the grid's topology
   std::int32_t body = 0;
-  std::int32_t colour = 0;  ///< parity of the block; blocks of one colour share no node
   std::vector<FlowRun<D>> runs;
 
   /// Lowest pressure cell that a point of the block may lie in, astray or not, and cells an axis
@@ -39,7 +37,7 @@ struct FlowChunk {
   static constexpr int cells(int spacing) { return block_cells / spacing + 2; }
 };
 
-/// The particles with water in their pores, as a step sees them at its start, field by field.
+/// The particles of a chunk as a step sees them at its start, field by field, in the chunk's order.
 /// Behind the last point every field has room for a vector of lanes.
 template <int D>
 struct FlowPoints {
@@ -53,8 +51,7 @@ struct FlowPoints {
   Field content;  ///< capacity p - alpha d [m^3]: p pressure at the step's start, d volume change
                   ///< of the last step that tr(dt grad v) missed
   std::vector<std::int64_t> place;  ///< in PoreStates
-  std::vector<FlowChunk<D>> chunks;
-  std::vector<char> loaded;  ///< by a traction: its moment counts
+  std::vector<char> loaded;         ///< by a traction: its moment counts
   /// Of loaded points: sum over faces of force (row) times place of the face from the point
   /// (column), D x D [N m]. Empty, like `loaded`, where no point is loaded.
   std::vector<std::array<double, D * D>> moments;
@@ -68,19 +65,28 @@ struct FlowPoints {
     }
     for (Field* f : {&volume, &capacity, &mobility, &content}) f->resize(room);
     place.resize(std::size_t(points));
-    loaded.resize(with_moments ? std::size_t(points) : 0);
+    loaded.assign(with_moments ? std::size_t(points) : 0, 0);
     moments.resize(loaded.size());
   }
-  /// The chunk that holds a point.
-  const FlowChunk<D>& chunk_of(std::int64_t point) const {
-    const auto after =
-        std::upper_bound(chunks.begin(), chunks.end(), point,
-                         [](std::int64_t p, const FlowChunk<D>& chunk) { return p < chunk.begin; });
-    return *std::prev(after);
+};
+
+/// What the end of a step needs of the points again, by their numbers.
+template <int D>
+struct KeptPoints {
+  using Field = AlignedVector<double>;
+  std::array<Field, D> xi;
+  Field capacity, mobility;
+  std::vector<std::int64_t> place;
+
+  void resize(std::int64_t points) {
+    const std::size_t room = std::size_t(points) + lanes_of<Lanes<double>>;
+    for (Field& f : xi) f.resize(room);
+    capacity.resize(room);
+    mobility.resize(room);
+    place.resize(std::size_t(points));
   }
   std::int64_t bytes() const {
-    return std::int64_t((3 * D + 4) * sizeof(double) * volume.capacity() + 8 * place.capacity() +
-                        sizeof(moments[0]) * moments.capacity());
+    return std::int64_t((D + 2) * sizeof(double) * capacity.capacity() + 8 * place.capacity());
   }
 };
 

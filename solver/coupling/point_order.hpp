@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,31 +8,54 @@
 
 namespace scree {
 
-/// Orders the points of a chunk by pressure cell and, within one, by half cell of the velocity's
-/// lattices: points of a half cell touch the same nodes.
+/// The order of the points of chunks: by pressure cell and, within one, by half cell of the
+/// velocity's lattices; points of a half cell touch the same nodes. It is kept from step to step as
+/// long as no point of a chunk has left its half cell.
 template <int D>
 class PointOrder {
  public:
-  /// Room for the positions of the points, in cells from the block's lower corner, in the order of
-  /// the block.
-  void resize(int points);
-  double* local(int axis) { return local_[std::size_t(axis)].data(); }
+  using Wide = Lanes<double>;
+  static constexpr int width = lanes_of<Wide>;
 
-  /// Sets the chunk's runs and, in their order, `local` and `xi` of the points.
-  void arrange(FlowChunk<D>& chunk, const PressureLattice<D>& lattice, FlowPoints<D>& points);
-  /// Place in FlowPoints of point i of the block.
-  std::int64_t place(int i) const { return place_[std::size_t(i)]; }
+  /// Where a vector of points is.
+  struct Spot {
+    Wide local[D];  ///< in cells from the block's lower corner, not beyond the lattice's limits
+    Wide xi[D];     ///< within its pressure cell
+    Wide cell;      ///< number of that among those of the block
+    Wide part;      ///< number of the half cell within the pressure cell, as order
+  };
+
+  explicit PointOrder(const PressureLattice<D>& lattice) : lattice_(lattice) {}
+
+  /// u: cells from the lower corner of the chunk's block.
+  Spot find(const FlowChunk<D>& chunk, const double (&u)[D][width]) const;
+
+  /// Room for all points of a step.
+  void resize(std::int64_t points);
+  /// The particles of the chunks are others than in the last step.
+  void forget() { known_ = false; }
+  /// Notes where the points from `first` of a chunk on are, in the order of the block; true: where
+  /// they were.
+  bool note(const FlowChunk<D>& chunk, int first, int count, const double (&u)[D][width]);
+  /// Sets the runs of a chunk whose points have moved.
+  void arrange(FlowChunk<D>& chunk);
+  /// All chunks have been arranged.
+  void finish() { known_ = true; }
+  bool known() const { return known_; }
+  /// Place in the order of its chunk of point i of the block.
+  std::int32_t place(const FlowChunk<D>& chunk, int i) const {
+    return place_[std::size_t(chunk.begin + i)];
+  }
+
+  std::int64_t bytes() const { return std::int64_t(4 * place_.capacity() + 2 * key_.capacity()); }
 
  private:
-  void find_keys(const FlowChunk<D>& chunk, const PressureLattice<D>& lattice);
+  static constexpr int parts = 1 << (2 * D);  ///< half cells of a pressure cell
 
-  std::array<AlignedVector<double>, D> local_, xi_;
-  void order_run(const FlowRun<D>& run, std::int64_t begin);
-
-  std::vector<std::int32_t> key_;      ///< number of the pressure cell among those of the block
-  std::vector<std::uint8_t> part_;     ///< number of the half cell in the pressure cell, as order
-  std::vector<std::int32_t> by_cell_;  ///< points of the block, cell by cell
-  std::vector<std::int64_t> place_;
+  PressureLattice<D> lattice_;
+  bool known_ = false;
+  std::vector<std::uint16_t> key_;   ///< of the cell and the half cell, in the order of the blocks
+  std::vector<std::int32_t> place_;  ///< the same order
 };
 
 extern template class PointOrder<2>;

@@ -104,18 +104,17 @@ void add_part(const Slice* const (&s)[D], double flow, double (&moments)[D][line
   }
 }
 
-/// Adds the same part, times a vector, to the source of the cell.
+/// Adds the same part to what weight along each axis does.
 template <int D>
-void add_weight(const Slice* const (&s)[D], const double (&weight)[D], double* source) {
+void add_weight(const Slice* const (&s)[D], double pull, double (&weight)[D][1 << D]) {
   for (int a = 0; a < D; ++a) {
-    if (weight[a] == 0) continue;
-    const double up = weight[a] * s[a]->share;
+    const double up = pull * s[a]->share;
     for (int k = 0; k < (1 << D); ++k) {
       double slope = (k >> (D - 1 - a) & 1) != 0 ? up : -up;
       for (int b = 0; b < D; ++b) {
         if (b != a) slope *= s[b]->hat[k >> (D - 1 - b) & 1];
       }
-      source[k] += slope;
+      weight[a][k] += slope;
     }
   }
 }
@@ -129,7 +128,7 @@ PoreCells<D>::PoreCells(const PressureLattice<D>& lattice)
       marks_(std::size_t(lattice.size()), 0) {}
 
 template <int D>
-const std::vector<char>& PoreCells<D>::find_cells(const FlowPoints<D>& points) {
+void PoreCells<D>::begin(const std::vector<FlowChunk<D>>& chunks) {
   for (const Cell& cell : cells_) {
     number_[std::size_t(lattice_.index(cell.lower))] = -1;
     for (int k = 0; k < corners; ++k) {
@@ -137,7 +136,7 @@ const std::vector<char>& PoreCells<D>::find_cells(const FlowPoints<D>& points) {
     }
   }
   cells_.clear();
-  for (const FlowChunk<D>& chunk : points.chunks) {
+  for (const FlowChunk<D>& chunk : chunks) {
     for (const FlowRun<D>& run : chunk.runs) {
       std::int32_t& number = number_[std::size_t(lattice_.index(run.cell))];
       if (number >= 0) continue;
@@ -149,32 +148,12 @@ const std::vector<char>& PoreCells<D>::find_cells(const FlowPoints<D>& points) {
       }
     }
   }
-  return marks_;
 }
 
 template <int D>
-void PoreCells<D>::assemble(const FlowPoints<D>& points, double dt, double h,
-                            const std::vector<Weight>& weight, double largest_half,
-                            ThreadPool& pool) {
-  // Blocks of one colour share no cell as long as no box is longer than one and a half; cells
-  // beyond a periodic face are those within the other, whatever the colours.
-  constexpr double longest = 0.75;
-  const bool alone = largest_half > longest || lattice_.periodic();
-  for (std::size_t body = 0; body < weight.size(); ++body) {
-    for (std::int32_t colour = 0; colour < (1 << D); ++colour) {
-      std::vector<const FlowChunk<D>*> together;
-      for (const FlowChunk<D>& chunk : points.chunks) {
-        if (chunk.body == std::int32_t(body) && chunk.colour == colour) together.push_back(&chunk);
-      }
-      const auto add_chunk = [&](std::int64_t c, int) {
-        for (const FlowRun<D>& run : together[std::size_t(c)]->runs) {
-          add_run(points, run, {dt, h, largest_half}, weight[body]);
-        }
-      };
-      if (!alone) pool.for_each(std::int64_t(together.size()), add_chunk);
-      for (std::size_t c = 0; c < together.size() && alone; ++c) add_chunk(std::int64_t(c), 0);
-    }
-  }
+void PoreCells<D>::add(const FlowPoints<D>& points, const FlowChunk<D>& chunk, const Measures& m,
+                       double density) {
+  for (const FlowRun<D>& run : chunk.runs) add_run(points, run, m, density);
 }
 
 template <int D>
@@ -215,7 +194,7 @@ bool PoreCells<D>::near_wall(const Surroundings& around, double largest_half) {
 template <int D>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
 void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, const Measures& m,
-                           const Weight& weight) {
+                           double density) {
   using Wide = Lanes<double>;
   constexpr int width = lanes_of<Wide>;
   const Surroundings around = surroundings(run.cell);
@@ -244,41 +223,36 @@ void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, c
           select(folds ? whole : there, field(points.volume) * field(points.mobility), 0.0);
       const MaskOf<Wide> cut = there & !whole;
       for (int l = 0; any(cut) && l < width; ++l) {
-        if (lane(cut, l)) add_flow(points, std::size_t(at + l), around, !folds, m.h, weight);
+        if (lane(cut, l)) add_flow(points, std::size_t(at + l), around, !folds, m.h, density);
       }
     }
     add_storage(group, v, sums);
     scree::add_flow(group, v, sums);
-    add_source(group, v, weight.data(), sums);
+    add_source(group, v, sums);
   }
-  take(sums, m, weight, cells_[std::size_t(around.number[power(3, D) / 2])]);
+  take(sums, m, density, cells_[std::size_t(around.number[power(3, D) / 2])]);
 }
 
 /// Adds the sums over the points of a cell.
 template <int D>
-void PoreCells<D>::take(const PoreSums<D>& sums, const Measures& m, const Weight& weight,
-                        Cell& cell) {
-  const double per_dt = 1 / m.dt;
+void PoreCells<D>::take(const PoreSums<D>& sums, const Measures& m, double density, Cell& cell) {
   for (int k = 0; k < 3; ++k) {
-    for (int j = 0; j < 3 * lines; ++j) {
-      cell.storage[j][k] += per_dt * sum_lanes(sums.storage[j][k]);
-    }
+    for (int j = 0; j < 3 * lines; ++j) cell.storage[j][k] += sum_lanes(sums.storage[j][k]);
     for (int i = 0; i < D * lines; ++i) {
       cell.flow[i / lines][i % lines][k] +=
           sum_lanes(sums.flow[i / lines][i % lines][k]) / (m.h * m.h);
     }
   }
-  for (int k = 0; k < corners; ++k) cell.source[k] += per_dt * sum_lanes(sums.content[k]);
+  for (int k = 0; k < corners; ++k) cell.content[k] += sum_lanes(sums.content[k]);
   for (int a = 0; a < D; ++a) {
-    if (weight[std::size_t(a)] == 0) continue;
     double pull[PoreSums<D>::others];
     for (int n = 0; n < PoreSums<D>::others; ++n) {
-      pull[n] = sum_lanes(sums.weight[a][n]) * weight[std::size_t(a)] / m.h;
+      pull[n] = sum_lanes(sums.weight[a][n]) * density / m.h;
     }
     const int low = D - 1 - a;  // bit of the axis; the others' bits in order number the sums
     for (int k = 0; k < corners; ++k) {
       const int n = (k >> (low + 1) << low) | (k & ((1 << low) - 1));
-      cell.source[k] += (k >> low & 1) != 0 ? pull[n] : -pull[n];
+      cell.weight[a][k] += (k >> low & 1) != 0 ? pull[n] : -pull[n];
     }
   }
 }
@@ -286,15 +260,13 @@ void PoreCells<D>::take(const PoreSums<D>& sums, const Measures& m, const Weight
 /// The parts of a particle's box, each in its cell; rest: but for the one in the particle's own.
 template <int D>
 void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
-                            const Surroundings& around, bool rest, double h, const Weight& weight) {
+                            const Surroundings& around, bool rest, double h, double density) {
   Slices slices[D];
   int parts = 1;
-  double pull[D];
   const double conductance = points.volume[point] * points.mobility[point] / h;
   for (std::size_t a = 0; a < D; ++a) {
     cut(points.xi[a][point], points.half[a][point], around.axis[a], slices[a]);
     parts *= slices[a].count;
-    pull[a] = conductance * weight[a];
   }
   int at[D] = {};
   for (int part_number = 0; part_number < parts; ++part_number) {
@@ -328,12 +300,14 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
     }
     Cell* cell = &cells_[std::size_t(number)];
     add_part<D, lines>(s, conductance / h, cell->flow);
-    add_weight<D>(s, pull, cell->source);
+    add_weight<D>(s, conductance * density, cell->weight);
   }
 }
 
 template <int D>
-void PoreCells<D>::add(PressureMatrix<D>& matrix) const {
+void PoreCells<D>::add(double dt, const std::array<double, 3>& gravity,
+                       PressureMatrix<D>& matrix) const {
+  const double per_dt = 1 / dt;
   int offset[corners][corners];
   for (int j = 0; j < corners; ++j) {
     for (int l = 0; l < corners; ++l) {
@@ -344,14 +318,17 @@ void PoreCells<D>::add(PressureMatrix<D>& matrix) const {
     std::int32_t row[corners];
     for (int j = 0; j < corners; ++j) {
       row[j] = matrix.row(corner<D>(cell.lower, j));
-      matrix.rhs()[std::size_t(row[j])] += cell.source[j];
+      double source = per_dt * cell.content[j];
+      for (int a = 0; a < D; ++a) source += gravity[std::size_t(a)] * cell.weight[a][j];
+      matrix.rhs()[std::size_t(row[j])] += source;
     }
     for (int j = 0; j < corners; ++j) {
       for (int l = j; l < corners; ++l) {
         int product[D];
         for (int a = 0; a < D; ++a) product[a] = (j >> (D - 1 - a) & 1) + (l >> (D - 1 - a) & 1);
-        double value = D == 2 ? cell.storage[product[0]][product[1]]
-                              : cell.storage[3 * product[0] + product[1]][product[D - 1]];
+        double value =
+            per_dt * (D == 2 ? cell.storage[product[0]][product[1]]
+                             : cell.storage[3 * product[0] + product[1]][product[D - 1]]);
         for (int a = 0; a < D; ++a) {
           const double sign = product[a] == 1 ? -1.0 : 1.0;
           const int line = D == 2 ? 0 : product[a == 0 ? 1 : 0];

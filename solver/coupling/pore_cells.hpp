@@ -7,7 +7,6 @@
 
 #include "solver/coupling/flow_points.hpp"
 #include "solver/coupling/pressure_matrix.hpp"
-#include "solver/exec/thread_pool.hpp"
 
 namespace scree {
 
@@ -39,19 +38,25 @@ class PoreCells {
  public:
   explicit PoreCells(const PressureLattice<D>& lattice);
 
-  /// Marks of the nodes that the points' cells touch, by lattice node.
-  const std::vector<char>& find_cells(const FlowPoints<D>& points);
+  /// Finds the cells that hold points, which have nothing yet.
+  void begin(const std::vector<FlowChunk<D>>& chunks);
+  /// Marks of the nodes that these cells touch, by lattice node.
+  const std::vector<char>& marks() const { return marks_; }
 
-  /// What the weight of a body's water does to its flow: density times gravity [N/m^3].
-  using Weight = std::array<double, D>;
+  /// Spacing of the nodes [m], largest half side of a box [cells].
+  struct Measures {
+    double h, largest_half;
+  };
+  /// Longest half side with which columns of one colour (FlowColumns) share no cell.
+  static constexpr double longest_half = 0.75;
 
-  /// Moments of the points; dt [s], spacing of the nodes h [m], weight of each body's water,
-  /// largest half side of a box in cells.
-  void assemble(const FlowPoints<D>& points, double dt, double h, const std::vector<Weight>& weight,
-                double largest_half, ThreadPool& pool);
+  /// Adds the moments of the points of a chunk, whose water has this density [kg/m^3]. Chunks of
+  /// different columns of one colour may be added at the same time.
+  void add(const FlowPoints<D>& points, const FlowChunk<D>& chunk, const Measures& m,
+           double density);
 
   /// matrix += S/dt + H; rhs += S p/dt - defect/dt + weight of the water.
-  void add(PressureMatrix<D>& matrix) const;
+  void add(double dt, const std::array<double, 3>& gravity, PressureMatrix<D>& matrix) const;
 
   std::int64_t bytes() const;
 
@@ -62,7 +67,8 @@ class PoreCells {
   struct alignas(32) Cell {
     double storage[3 * lines][4] = {};
     double flow[D][lines][4] = {};  ///< by the axis of the slopes: products of the others
-    double source[corners] = {};
+    double content[corners] = {};
+    double weight[D][corners] = {};  ///< by the axis of gravity
     PressureNode<D> lower{};
   };
 
@@ -73,18 +79,13 @@ class PoreCells {
     PoreAxis axis[D];
   };
 
-  /// Of a step: its length [s], spacing of the nodes [m], largest half side of a box [cells].
-  struct Measures {
-    double dt, h, largest_half;
-  };
-
   Surroundings surroundings(const PressureNode<D>& home) const;
   static bool near_wall(const Surroundings& around, double largest_half);
   void add_run(const FlowPoints<D>& points, const FlowRun<D>& run, const Measures& m,
-               const Weight& weight);
-  static void take(const PoreSums<D>& sums, const Measures& m, const Weight& weight, Cell& cell);
+               double density);
+  static void take(const PoreSums<D>& sums, const Measures& m, double density, Cell& cell);
   void add_flow(const FlowPoints<D>& points, std::size_t point, const Surroundings& around,
-                bool rest, double h, const Weight& weight);
+                bool rest, double h, double density);
 
   PressureLattice<D> lattice_;
   AlignedVector<Cell> cells_;

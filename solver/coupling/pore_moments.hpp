@@ -115,9 +115,9 @@ void add_flow(const PorePoints<D>& points, int vectors, PoreSums<D>& sums) {
   if constexpr (D == 3) add_axis_flow<2>(points, vectors, sums);
 }
 
-/// Content, and conductance times slopes for the weight of the water along the axes that have one.
+/// Content, and conductance times what the slopes along each axis are made of.
 template <int D>
-void add_source(const PorePoints<D>& points, int vectors, const double* weight, PoreSums<D>& sums) {
+void add_source(const PorePoints<D>& points, int vectors, PoreSums<D>& sums) {
   using Wide = Lanes<double>;
   for (int v = 0; v < vectors; ++v) {
     const auto& axis = points.axis[v];
@@ -129,7 +129,6 @@ void add_source(const PorePoints<D>& points, int vectors, const double* weight, 
       sums.content[k] = sums.content[k] + n;
     }
     for (int a = 0; a < D; ++a) {
-      if (weight[a] == 0) continue;
       const Wide own = points.conductance[v] * axis[a].share;
       SCREE_UNROLL for (int m = 0; m < PoreSums<D>::others; ++m) {
         Wide n = own;

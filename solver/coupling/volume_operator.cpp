@@ -209,6 +209,10 @@ int VolumeOperator<D>::same_hat(std::int64_t root, std::int64_t ghost, int j) co
 template <int D>
 void VolumeOperator<D>::fold(std::int64_t root, std::int64_t ghost,
                              const std::array<std::int8_t, D>& sign) {
+  if (keeps_unfolded_) {
+    note_unfolded(root);
+    note_unfolded(ghost);
+  }
   for (std::size_t a = 0; a < D && !load_.empty(); ++a) {
     load_[std::size_t(root) * D + a] += sign[a] * load_[std::size_t(ghost) * D + a];
     load_[std::size_t(ghost) * D + a] = 0;
@@ -228,6 +232,34 @@ void VolumeOperator<D>::fold(std::int64_t root, std::int64_t ghost,
     }
   }
   empty_[std::size_t(place_[std::size_t(ghost)])] = 1;
+}
+
+template <int D>
+void VolumeOperator<D>::note_unfolded(std::int64_t record) {
+  const std::size_t place = std::size_t(place_[std::size_t(record)]);
+  Unfolded node{record, empty_[place] != 0, {}, {}};
+  if (!node.empty) {
+    const double* q = q_.data() + place * std::size_t(D * stride_);
+    node.q.assign(q, q + D * stride_);
+  }
+  for (std::size_t a = 0; a < D && !load_.empty(); ++a) {
+    node.load[a] = load_[std::size_t(record) * D + a];
+  }
+  unfolded_.push_back(std::move(node));
+}
+
+/// The last fold first: a node may have been in several.
+template <int D>
+void VolumeOperator<D>::unfold() {
+  for (auto node = unfolded_.rbegin(); node != unfolded_.rend(); ++node) {
+    const std::size_t place = std::size_t(place_[std::size_t(node->record)]);
+    empty_[place] = node->empty ? 1 : 0;
+    std::copy(node->q.begin(), node->q.end(), q_.data() + place * std::size_t(D * stride_));
+    for (std::size_t a = 0; a < D && !load_.empty(); ++a) {
+      load_[std::size_t(node->record) * D + a] = node->load[a];
+    }
+  }
+  unfolded_.clear();
 }
 
 template <int D>

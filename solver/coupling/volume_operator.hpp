@@ -44,8 +44,11 @@ class VolumeOperator {
   /// Must be called when the grid's blocks have changed.
   void rebuild(const Topology<D>& topology);
 
-  /// biot: alpha of each body.
-  void assemble(const FlowPoints<D>& points, const std::vector<double>& biot, ThreadPool& pool);
+  /// Q is nothing. loaded: points may have moments.
+  void begin(bool loaded);
+  /// Adds the points of a chunk, whose body has this alpha. Chunks of different columns of one
+  /// colour (FlowColumns) may be added at the same time.
+  void scatter(const FlowPoints<D>& points, const FlowChunk<D>& chunk, double biot);
 
   /// Forces on the nodes by the points' moments, f_i = sum_p moment_p g_ip, D entries a node; empty
   /// where no point is loaded. Folded like Q.
@@ -54,6 +57,10 @@ class VolumeOperator {
   /// Adds Q of node `ghost`, times a sign an axis, to that of `root`, whose velocity it follows,
   /// and zeroes its own.
   void fold(std::int64_t root, std::int64_t ghost, const std::array<std::int8_t, D>& sign);
+  /// Notes what fold() changes from now on.
+  void keep_unfolded(bool keep) { keeps_unfolded_ = keep; }
+  /// Undoes all folds.
+  void unfold();
 
   /// matrix += schur * sum over nodes of Q_i^T M_i^-1 Q_i, without the nodes in other hands;
   /// right-hand side -= rate * Q^T v; velocity: D entries a node.
@@ -88,8 +95,6 @@ class VolumeOperator {
  private:
   // volume_scatter.cpp
   template <class Kernel, int spacing>
-  void scatter(const FlowPoints<D>& points, const std::vector<double>& biot, ThreadPool& pool);
-  template <class Kernel, int spacing>
   void scatter_chunk(const FlowPoints<D>& points, const FlowChunk<D>& chunk, double biot);
   template <class Kernel, int spacing, class Scratch>
   void flush(const PressureNode<D>& cell, Scratch& scratch);
@@ -112,7 +117,16 @@ class VolumeOperator {
   std::int32_t find_group(const PressureNode<D>& base) const;
   void number_groups(const std::vector<PressureNode<D>>& base);
   void find_pencils();
+  /// A node before a fold.
+  struct Unfolded {
+    std::int64_t record;
+    bool empty;
+    std::vector<double> q;
+    std::array<double, D> load;
+  };
+
   double* touched(std::size_t place);
+  void note_unfolded(std::int64_t record);
   int same_hat(std::int64_t root, std::int64_t ghost, int j) const;
 
   PressureLattice<D> lattice_;
@@ -138,6 +152,8 @@ class VolumeOperator {
   AlignedVector<double> q_;   ///< by place
   std::vector<char> empty_;   ///< by place: nothing has been written to q_ in this step
   std::vector<double> load_;  ///< by record
+  bool keeps_unfolded_ = false;
+  std::vector<Unfolded> unfolded_;
 };
 
 extern template class VolumeOperator<2>;

@@ -2,7 +2,6 @@
 // Particles to the operator Q: the points of a pressure cell into a small dense array, from there
 // to the groups around the cell.
 #include <algorithm>
-#include <cmath>
 
 #include "solver/coupling/cell_points.hpp"
 #include "solver/coupling/volume_operator.hpp"
@@ -14,31 +13,6 @@ namespace scree {
 namespace {
 
 typedef double Pair __attribute__((vector_size(16), aligned(8), may_alias));
-
-/// The chunks of a body by columns of blocks that differ in the last axis only, in its order: what
-/// one block leaves in the cache the next one finds there. Columns of one colour, the parity of the
-/// other axes, share no node.
-template <int D>
-auto columns_of(const FlowPoints<D>& points, std::int32_t body) {
-  using Column = std::vector<const FlowChunk<D>*>;
-  std::vector<const FlowChunk<D>*> chunks;
-  for (const FlowChunk<D>& chunk : points.chunks) {
-    if (chunk.body == body) chunks.push_back(&chunk);
-  }
-  std::sort(chunks.begin(), chunks.end(),
-            [](const auto* a, const auto* b) { return a->block < b->block; });
-  std::array<std::vector<Column>, std::size_t(1) << (D - 1)> colours;
-  const FlowChunk<D>* last = nullptr;
-  for (const FlowChunk<D>* chunk : chunks) {
-    const std::size_t colour = std::size_t(chunk->colour >> 1);
-    const bool same = last != nullptr &&
-                      std::equal(last->block.begin(), last->block.end() - 1, chunk->block.begin());
-    if (!same) colours[colour].emplace_back();
-    colours[colour].back().push_back(chunk);
-    last = chunk;
-  }
-  return colours;
-}
 
 }  // namespace
 
@@ -132,34 +106,23 @@ void VolumeOperator<D>::scatter_chunk(const FlowPoints<D>& points, const FlowChu
 }
 
 template <int D>
-template <class Kernel, int spacing>
-void VolumeOperator<D>::scatter(const FlowPoints<D>& points, const std::vector<double>& biot,
-                                ThreadPool& pool) {
-  // Bodies one after the other, columns of one colour at a time: each node's sum has one order.
-  for (std::size_t body = 0; body < biot.size(); ++body) {
-    for (const auto& columns : columns_of(points, std::int32_t(body))) {
-      pool.for_each(std::int64_t(columns.size()), [&](std::int64_t c, int) {
-        for (const FlowChunk<D>* chunk : columns[std::size_t(c)]) {
-          scatter_chunk<Kernel, spacing>(points, *chunk, biot[body]);
-        }
-      });
-    }
-  }
+void VolumeOperator<D>::begin(bool loaded) {
+  empty_.assign(record_.size(), 1);
+  load_.assign(loaded ? place_.size() * D : 0, 0.0);
+  unfolded_.clear();
 }
 
 template <int D>
-void VolumeOperator<D>::assemble(const FlowPoints<D>& points, const std::vector<double>& biot,
-                                 ThreadPool& pool) {
-  empty_.assign(record_.size(), 1);
-  load_.assign(points.moments.empty() ? 0 : place_.size() * D, 0.0);
+void VolumeOperator<D>::scatter(const FlowPoints<D>& points, const FlowChunk<D>& chunk,
+                                double biot) {
   switch (kernel_) {
     case KernelType::compact:
-      if (lattice_.spacing() == 1) return scatter<Compact, 1>(points, biot, pool);
-      return scatter<Compact, 2>(points, biot, pool);
+      if (lattice_.spacing() == 1) return scatter_chunk<Compact, 1>(points, chunk, biot);
+      return scatter_chunk<Compact, 2>(points, chunk, biot);
     case KernelType::quadratic:
-      return scatter<Quadratic, 2>(points, biot, pool);
+      return scatter_chunk<Quadratic, 2>(points, chunk, biot);
     case KernelType::linear:
-      return scatter<Linear, 2>(points, biot, pool);
+      return scatter_chunk<Linear, 2>(points, chunk, biot);
   }
 }
 

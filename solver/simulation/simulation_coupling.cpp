@@ -105,116 +105,134 @@ void SimulationImpl<D, T>::note_masses() {
   backend_->updated_grid().update->move_periodic(mass);
 }
 
-/// The blocks of particles with water; returns the number of these.
+/// The blocks of particles with water.
 template <int D, class T>
-std::int64_t SimulationImpl<D, T>::list_flow_chunks(FlowPoints<D>& points,
-                                                    std::vector<const FlowBlock*>& blocks) const {
+auto SimulationImpl<D, T>::list_flow_chunks() -> std::vector<const FlowBlock*> {
+  std::vector<FlowChunk<D>>& chunks = flow_->chunks();
+  std::vector<const FlowBlock*> blocks;
   std::int64_t count = 0;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     if (!flow_->has_water(std::int32_t(b))) continue;
     for (const auto& block : bodies_[b].body->store().blocks()) {
-      if (points.chunks.size() == blocks.size()) points.chunks.emplace_back();
-      FlowChunk<D>& chunk = points.chunks[blocks.size()];
+      if (chunks.size() == blocks.size()) chunks.emplace_back();
+      FlowChunk<D>& chunk = chunks[blocks.size()];
       chunk.begin = count;
       count += block.count;
       chunk.end = count;
       chunk.block = block_coord<D>(block.key);
-      chunk.grid_block = backend_->grid().topology().find(block.key);
       chunk.body = std::int32_t(b);
-      chunk.colour = 0;
-      for (int a = 0; a < D; ++a) chunk.colour = 2 * chunk.colour + (chunk.block[a] & 1);
       blocks.push_back(&block);
     }
   }
-  points.chunks.resize(blocks.size());
-  return count;
+  chunks.resize(blocks.size());
+  return blocks;
 }
 
-/// The particles with water, block by block and in a block by pressure cell.
+/// The particles with water: first where they are, then all that hangs on it.
 template <int D, class T>
 void SimulationImpl<D, T>::collect_flow_points() {
-  FlowPoints<D>& points = flow_->points();
-  std::vector<const FlowBlock*> blocks;
-  const std::int64_t count = list_flow_chunks(points, blocks);
-  points.resize(count, external_ && external_->has_tractions());
-  executor_.pool().for_each(std::int64_t(points.chunks.size()), [&](std::int64_t c, int) {
-    collect_chunk(points.chunks[std::size_t(c)], *blocks[std::size_t(c)], points);
+  const std::vector<const FlowBlock*> blocks = list_flow_chunks();
+  flow_->begin_points(external_ && external_->has_tractions());
+  executor_.pool().for_each(std::int64_t(blocks.size()), [&](std::int64_t c, int) {
+    order_chunk(flow_->chunks()[std::size_t(c)], *blocks[std::size_t(c)]);
   });
-  if (!points.moments.empty()) set_moments(points);
+  flow_->assemble(
+      [&](std::int32_t c, FlowPoints<D>& points) {
+        fill_chunk(flow_->chunks()[std::size_t(c)], *blocks[std::size_t(c)], points);
+      },
+      executor_.pool());
 }
 
 template <int D, class T>
-void SimulationImpl<D, T>::collect_chunk(FlowChunk<D>& chunk, const FlowBlock& block,
-                                         FlowPoints<D>& points) {
+void SimulationImpl<D, T>::load_positions(const ParticleStore<D, T>& store, const FlowBlock& block,
+                                          FlowVector<D>& vector) const {
+  constexpr int width = ParticleStore<D, T>::width;
+  const std::int32_t b = block.batches[std::size_t(vector.first / width)];
+  const T* from = store.batch(b) + vector.first % width;
+  vector.count = std::min(vector.width, block.count - vector.first);
+  for (int a = 0; a < D; ++a) {
+    for (int i = 0; i < vector.width; ++i) {
+      vector.position[a][i] = i < vector.count ? double(from[a * width + i]) : 1.0;
+    }
+  }
+}
+
+/// Asks memory for `fields` numbers of the particles from `first` on.
+template <int D, class T>
+void SimulationImpl<D, T>::fetch(const T* pool, int first, int fields) {
+  for (int k = 0; k < fields; ++k) {
+    __builtin_prefetch(pool + (first + k) * ParticleStore<D, T>::width);
+  }
+}
+
+template <int D, class T>
+void SimulationImpl<D, T>::order_chunk(FlowChunk<D>& chunk, const FlowBlock& block) {
+  constexpr int width = ParticleStore<D, T>::width;
+  constexpr std::size_t ahead = 6;  // positions lie too far apart to be seen coming
+  const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
+  PointOrder<D>& order = flow_->order();
+  FlowVector<D> vector;
+  bool same = order.known();
+  for (vector.first = 0; vector.first < block.count; vector.first += vector.width) {
+    const std::size_t k = std::size_t(vector.first / width);
+    if (vector.first % width == 0 && k + ahead < block.batches.size()) {
+      fetch(store.batch(block.batches[k + ahead]), 0, D);
+    }
+    load_positions(store, block, vector);
+    same &= order.note(chunk, vector.first, vector.count, vector.position);
+  }
+  if (!same) order.arrange(chunk);
+}
+
+template <int D, class T>
+void SimulationImpl<D, T>::fill_chunk(const FlowChunk<D>& chunk, const FlowBlock& block,
+                                      FlowPoints<D>& points) {
   constexpr int width = ParticleStore<D, T>::width;
   const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
-  thread_local PointOrder<D> order;
-  order.resize(block.count);
-  for (std::size_t k = 0; k < block.batches.size(); ++k) {
-    // Positions lie too far apart for the processor to see them coming.
-    constexpr std::size_t ahead = 6;
-    if (k + ahead < block.batches.size()) {
-      const T* coming = store.batch(block.batches[k + ahead]);
-      for (int a = 0; a < D; ++a) __builtin_prefetch(coming + a * width);
-    }
-    const T* batch = store.batch(block.batches[k]);
-    const int first = int(k) * width, count = std::min(width, block.count - first);
-    for (int a = 0; a < D; ++a) std::copy_n(batch + a * width, count, order.local(a) + first);
-  }
-  order.arrange(chunk, flow_->lattice(), points);
-  FlowIncrements<D> increments;
   const std::int64_t first_place = flow_->states().first_place(chunk.body);
-  for (int first = 0; first < block.count; first += increments.width) {
-    constexpr int ahead = 2 * increments.width;
-    if (first + ahead < block.count) {
-      const std::int32_t coming = block.batches[std::size_t((first + ahead) / width)];
-      const int lane = (first + ahead) % width;
-      const T* aux = store.aux_batch(coming) + layout_.increment * width + lane;
-      for (int k = 0; k < D * D; ++k) __builtin_prefetch(aux + k * width);
+  FlowVector<D> vector;
+  for (vector.first = 0; vector.first < block.count; vector.first += vector.width) {
+    constexpr int ahead = 2 * vector.width;
+    if (vector.first + ahead < block.count) {
+      const std::int32_t coming = block.batches[std::size_t((vector.first + ahead) / width)];
+      const int lane = (vector.first + ahead) % width;
+      fetch(store.batch(coming) + lane, 0, D);
+      fetch(store.aux_batch(coming) + lane, layout_.increment, D * D);
       flow_->states().prefetch(first_place + std::int64_t(coming) * width + lane);
     }
-    const std::int32_t b = block.batches[std::size_t(first / width)];
-    const int lane = first % width;
+    load_positions(store, block, vector);
+    const std::int32_t b = block.batches[std::size_t(vector.first / width)];
+    const int lane = vector.first % width;
     const T* aux = store.aux_batch(b) + layout_.increment * width + lane;
     for (int k = 0; k < D * D; ++k) {
-      for (int i = 0; i < increments.width; ++i) {
-        increments.value[k][i] = double(aux[k * width + i]);
-      }
+      for (int i = 0; i < vector.width; ++i) vector.increment[k][i] = double(aux[k * width + i]);
     }
-    increments.place = first_place + std::int64_t(b) * width + lane;
-    increments.count = std::min(increments.width, block.count - first);
-    for (int i = 0; i < increments.count; ++i) {
-      const std::int64_t point = order.place(first + i);
-      increments.point[i] = point;
-      if (!flow_->keeps_increments() && points.loaded.empty()) continue;
-      const std::int64_t id = store.ids(b)[lane + i];
-      for (std::size_t k = 0; k < D * D && flow_->keeps_increments(); ++k) {
-        increments.value[k][i] = flow_->increment(id)[k];
-      }
-      if (!points.loaded.empty()) points.loaded[std::size_t(point)] = external_->loaded(id) ? 1 : 0;
+    vector.place = first_place + std::int64_t(b) * width + lane;
+    for (int i = 0; i < vector.count && flow_->keeps_increments(); ++i) {
+      const auto& increment = flow_->increment(store.ids(b)[lane + i]);
+      for (std::size_t k = 0; k < D * D; ++k) vector.increment[k][i] = increment[k];
     }
-    flow_->fill(increments, chunk.body);
+    flow_->fill(vector, chunk, points);
   }
+  if (!points.moments.empty()) set_moments(chunk, points);
 }
 
 /// A traction acts on its face, not on the particle: beside the force that the particle scatters,
 /// water needs its moment, or pressures next to a loaded surface alternate by half of the load.
 template <int D, class T>
-void SimulationImpl<D, T>::set_moments(FlowPoints<D>& points) const {
-  for (const FlowChunk<D>& chunk : points.chunks) {
-    for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
-      if (points.loaded[std::size_t(i)] == 0) continue;
-      const std::int64_t id = flow_->states().id(points.place[std::size_t(i)]);
-      std::array<double, 3> x{};
-      for (std::size_t a = 0; a < D; ++a) {
-        x[a] = setup_.lower[a] +
-               setup_.cell_size * (block_cells * chunk.block[a] + points.local[a][std::size_t(i)]);
-      }
-      const Mat3<double> m = external_->moment(id, &reference_[3 * std::size_t(id)], x.data(),
-                                               clock_.time, flow_->half_side(chunk.body));
-      auto& moment = points.moments[std::size_t(i)];
-      for (int k = 0; k < D * D; ++k) moment[std::size_t(k)] = m(k / D, k % D);
+void SimulationImpl<D, T>::set_moments(const FlowChunk<D>& chunk, FlowPoints<D>& points) const {
+  for (std::size_t i = 0; i < points.loaded.size(); ++i) {
+    const std::int64_t id = flow_->states().id(points.place[i]);
+    points.loaded[i] = external_->loaded(id) ? 1 : 0;
+    if (points.loaded[i] == 0) continue;
+    std::array<double, 3> x{};
+    for (std::size_t a = 0; a < D; ++a) {
+      x[a] =
+          setup_.lower[a] + setup_.cell_size * (block_cells * chunk.block[a] + points.local[a][i]);
     }
+    const Mat3<double> m = external_->moment(id, &reference_[3 * std::size_t(id)], x.data(),
+                                             clock_.time, flow_->half_side(chunk.body));
+    for (int k = 0; k < D * D; ++k) points.moments[i][std::size_t(k)] = m(k / D, k % D);
   }
 }
 

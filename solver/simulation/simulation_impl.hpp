@@ -25,6 +25,8 @@ class CoupledFlow;
 template <int D>
 struct FlowChunk;
 template <int D>
+struct FlowVector;
+template <int D>
 struct FlowPoints;
 
 enum class Phase { binning, grid, particles, stress, external, pressure, count };
@@ -118,10 +120,14 @@ class SimulationImpl final : public Simulation {
   bool couple_flow(int halvings);
   void halve_step();
   using FlowBlock = typename ParticleStore<D, T>::Block;
-  std::int64_t list_flow_chunks(FlowPoints<D>& points, std::vector<const FlowBlock*>& blocks) const;
+  std::vector<const FlowBlock*> list_flow_chunks();
   void collect_flow_points();
-  void collect_chunk(FlowChunk<D>& chunk, const FlowBlock& block, FlowPoints<D>& points);
-  void set_moments(FlowPoints<D>& points) const;
+  void load_positions(const ParticleStore<D, T>& store, const FlowBlock& block,
+                      FlowVector<D>& vector) const;
+  static void fetch(const T* pool, int first, int fields);
+  void order_chunk(FlowChunk<D>& chunk, const FlowBlock& block);
+  void fill_chunk(const FlowChunk<D>& chunk, const FlowBlock& block, FlowPoints<D>& points);
+  void set_moments(const FlowChunk<D>& chunk, FlowPoints<D>& points) const;
 
   // simulation_clock.cpp
   double stable_dt() const;
