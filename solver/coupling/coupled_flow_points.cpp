@@ -178,6 +178,10 @@ void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowChunk<D>& chu
   }
   const std::int64_t end = chunk.begin + run.end;
   for (std::int64_t first = chunk.begin + run.begin; first < end; first += width) {
+    const std::int64_t coming = std::min(first + 2 * width, end);
+    for (std::int64_t p = std::min(first + width, coming); p < coming; ++p) {
+      states_.prefetch_pressure(points_.place[std::size_t(p)]);
+    }
     Wide hat[D][2], value, gradient[D];
     for (std::size_t a = 0; a < D; ++a) {
       hat[a][1] = load_any<Wide>(points_.xi[a].data() + first);

@@ -79,6 +79,16 @@ class PoreStates {
     const auto& row = vector(place).row;
     for (int k = 0; k < Row::seepage; ++k) __builtin_prefetch(row[k], 1);
   }
+  /// The same of what the gained mass of water follows from.
+  void prefetch_gain(std::int64_t place) const {
+    const auto& row = vector(place).row;
+    for (const int k : {Row::ratio, Row::start_ratio, Row::stored}) __builtin_prefetch(row[k]);
+  }
+  /// The same of what a pressure changes.
+  void prefetch_pressure(std::int64_t place) const {
+    const auto& row = vector(place).row;
+    for (const int k : {Row::pressure, Row::stored}) __builtin_prefetch(row[k], 1);
+  }
   double& at(std::int64_t place, int row) { return vector(place).row[row][place % width]; }
   double at(std::int64_t place, int row) const { return vector(place).row[row][place % width]; }
 

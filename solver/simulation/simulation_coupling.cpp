@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pore water in the step: what CoupledFlow needs of particles and grid, and back.
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 #include "solver/base/error.hpp"
@@ -151,9 +152,18 @@ void SimulationImpl<D, T>::load_positions(const ParticleStore<D, T>& store, cons
   const T* from = store.batch(b) + vector.first % width;
   vector.count = std::min(vector.width, block.count - vector.first);
   for (int a = 0; a < D; ++a) {
-    for (int i = 0; i < vector.width; ++i) {
-      vector.position[a][i] = i < vector.count ? double(from[a * width + i]) : 1.0;
-    }
+    widen(from + a * width, vector.position[a]);
+    std::fill(vector.position[a] + vector.count, vector.position[a] + vector.width, 1.0);
+  }
+}
+
+/// A vector of numbers in double precision.
+template <int D, class T>
+void SimulationImpl<D, T>::widen(const T* from, double* to) {
+  if constexpr (sizeof(T) == sizeof(double)) {
+    std::memcpy(to, from, sizeof(double) * FlowVector<D>::width);
+  } else {
+    for (int i = 0; i < FlowVector<D>::width; ++i) to[i] = double(from[i]);
   }
 }
 
@@ -204,9 +214,7 @@ void SimulationImpl<D, T>::fill_chunk(const FlowChunk<D>& chunk, const FlowBlock
     const std::int32_t b = block.batches[std::size_t(vector.first / width)];
     const int lane = vector.first % width;
     const T* aux = store.aux_batch(b) + layout_.increment * width + lane;
-    for (int k = 0; k < D * D; ++k) {
-      for (int i = 0; i < vector.width; ++i) vector.increment[k][i] = double(aux[k * width + i]);
-    }
+    for (int k = 0; k < D * D; ++k) widen(aux + k * width, vector.increment[k]);
     vector.place = first_place + std::int64_t(b) * width + lane;
     for (int i = 0; i < vector.count && flow_->keeps_increments(); ++i) {
       const auto& increment = flow_->increment(store.ids(b)[lane + i]);

@@ -161,6 +161,7 @@ void SimulationImpl<D, T>::add_gained_weight(const std::array<double, 3>& gravit
     ParticleStore<D, T>& store = state.body->store();
     const bool water = flow_->has_water(info.body_index);
     const double per_mass = 1 / info.particle_mass();
+    const std::int64_t first_place = flow_->states().first_place(info.body_index);
     executor_.pool().for_each(std::int64_t(store.blocks().size()), [&](std::int64_t n, int) {
       const auto& block = store.blocks()[std::size_t(n)];
       for (int first = 0; first < block.count; first += lanes) {
@@ -168,8 +169,12 @@ void SimulationImpl<D, T>::add_gained_weight(const std::array<double, 3>& gravit
         const int lane = first % width;
         alignas(64) double share[lanes] = {};
         if (water) {
-          const std::int64_t slot = std::int64_t(b) * width + lane;
-          const std::int64_t place = flow_->states().first_place(info.body_index) + slot;
+          constexpr int ahead = 4 * lanes;
+          const std::int64_t place = first_place + std::int64_t(b) * width + lane;
+          if (first + ahead < block.count) {
+            const std::int32_t coming = block.batches[std::size_t((first + ahead) / width)];
+            flow_->states().prefetch_gain(first_place + std::int64_t(coming) * width + lane);
+          }
           scree::store(share, flow_->gained_mass(info.body_index, place) * per_mass);
         }
         T* force = store.aux_batch(b) + layout_.external * width + lane;

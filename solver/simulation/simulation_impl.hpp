@@ -124,6 +124,7 @@ class SimulationImpl final : public Simulation {
   void collect_flow_points();
   void load_positions(const ParticleStore<D, T>& store, const FlowBlock& block,
                       FlowVector<D>& vector) const;
+  static void widen(const T* from, double* to);
   static void fetch(const T* pool, int first, int fields);
   void order_chunk(FlowChunk<D>& chunk, const FlowBlock& block);
   void fill_chunk(const FlowChunk<D>& chunk, const FlowBlock& block, FlowPoints<D>& points);
