@@ -95,9 +95,8 @@ struct Underway {
 
 /// Gathers, moves the particles and stores their positions, and what pore water needs of the step.
 template <class Kernel, class G, class V, int D, class T>
-SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassData<D, T>& data,
-                              Underway<V, D>& p) {
-  const PassParameters<T>& par = data.parameters;
+SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassParameters<T>& par,
+                              const AuxLayout& layout, Underway<V, D>& p) {
   V u[D];
   load_position(g, b, u);
   Motion<V, D> motion;
@@ -111,7 +110,7 @@ SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassData<D
   }
   p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
   if constexpr (G::takes_pore_water) {
-    if (data.layout.increment >= 0) store_increment<V, D>(g, b, data.layout, p.increment);
+    if (layout.increment >= 0) store_increment<V, D>(g, b, layout, p.increment);
   }
 }
 
@@ -131,10 +130,15 @@ SCREE_FN void return_to_grid(G& g, const typename G::Batch& b, const PassData<D,
     store_motion(g, b, data.layout, motion);
     store_stress(g, b, data.layout, tau);
   }
-  Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
-  if constexpr (G::takes_pore_water) add_external(par, g, b, data.layout, impulse);
-  Mls<Kernel>::scatter(g, Kernel::template at<V, D>(u), par.particle_mass, motion, impulse, false,
-                       p.live);
+  const auto point = Kernel::template at<V, D>(u);
+  if constexpr (G::takes_pore_water) {
+    Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
+    add_external(par, g, b, data.layout, impulse);
+    Mls<Kernel>::scatter(g, point, par.particle_mass, motion, impulse, false, p.live);
+  } else {  // an impulse with a name would cost a GPU's kernel registers
+    Mls<Kernel>::scatter(g, point, par.particle_mass, motion, make_impulse<V, D>(par, tau), false,
+                         p.live);
+  }
 }
 
 /// The material update of the batches of a set together.
@@ -181,7 +185,7 @@ SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
   g.template each_set<size>([&](const BatchSet<typename G::Batch, size>& set) {
     Underway<V, D> p[size];
     SCREE_UNROLL_ON_DEVICE for (int i = 0; i < size; ++i) {
-      if (set.holds(i)) gather_and_move<Kernel>(g, set.batch[i], data, p[i]);
+      if (set.holds(i)) gather_and_move<Kernel>(g, set.batch[i], par, data.layout, p[i]);
     }
     if (set.parts < size) p[size - 1] = p[0];
     const auto tau = update_together<Material>(g, set, par, material, p);
