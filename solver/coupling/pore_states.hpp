@@ -77,7 +77,7 @@ class PoreStates {
   /// Asks memory for what a step changes of a vector.
   void prefetch(std::int64_t place) const {
     const auto& row = vector(place).row;
-    for (int k = 0; k < Row::seepage; ++k) __builtin_prefetch(row[k], 1);
+    for (int k = 0; k < Row::seepage; ++k) __builtin_prefetch(row[k], 0, 2);
   }
   /// The same of what the gained mass of water follows from.
   void prefetch_gain(std::int64_t place) const {

@@ -171,7 +171,7 @@ void SimulationImpl<D, T>::widen(const T* from, double* to) {
 template <int D, class T>
 void SimulationImpl<D, T>::fetch(const T* pool, int first, int fields) {
   for (int k = 0; k < fields; ++k) {
-    __builtin_prefetch(pool + (first + k) * ParticleStore<D, T>::width);
+    __builtin_prefetch(pool + (first + k) * ParticleStore<D, T>::width, 0, 2);
   }
 }
 
@@ -202,7 +202,7 @@ void SimulationImpl<D, T>::fill_chunk(const FlowChunk<D>& chunk, const FlowBlock
   const std::int64_t first_place = flow_->states().first_place(chunk.body);
   FlowVector<D> vector;
   for (vector.first = 0; vector.first < block.count; vector.first += vector.width) {
-    constexpr int ahead = 2 * vector.width;
+    constexpr int ahead = 4 * vector.width;
     if (vector.first + ahead < block.count) {
       const std::int32_t coming = block.batches[std::size_t((vector.first + ahead) / width)];
       const int lane = (vector.first + ahead) % width;
