@@ -47,6 +47,27 @@ class FixedCorotated : public Material {
   Lame lame_;
 };
 
+class NeoHookean : public Material {
+ public:
+  NeoHookean(double youngs_modulus, double poissons_ratio)
+      : lame_(youngs_modulus, poissons_ratio) {}
+
+  double energy_density(const MaterialState& state) const override {
+    const double log_J = std::log(state.F.determinant());
+    return lame_.mu * (state.F.squaredNorm() - 3) / 2 - lame_.mu * log_J +
+           lame_.lambda / 2 * log_J * log_J;
+  }
+
+ private:
+  Matrix kirchhoff(MaterialState& state, const Matrix& L, double dt) const override {
+    state.F = (Matrix::Identity() + dt * L) * state.F;
+    const Matrix I = Matrix::Identity();
+    return lame_.mu * (state.F * state.F.transpose() - I) +
+           lame_.lambda * std::log(state.F.determinant()) * I;
+  }
+  Lame lame_;
+};
+
 class DruckerPrager : public Material {
  public:
   explicit DruckerPrager(const DruckerPragerInput& input)
@@ -132,6 +153,10 @@ Lame::Lame(double youngs_modulus, double poissons_ratio)
 
 std::unique_ptr<Material> fixed_corotated(double youngs_modulus, double poissons_ratio) {
   return std::make_unique<FixedCorotated>(youngs_modulus, poissons_ratio);
+}
+
+std::unique_ptr<Material> neo_hookean(double youngs_modulus, double poissons_ratio) {
+  return std::make_unique<NeoHookean>(youngs_modulus, poissons_ratio);
 }
 
 std::unique_ptr<Material> drucker_prager(const DruckerPragerInput& input) {

@@ -44,6 +44,9 @@ struct Lame {
 /// tau = U diag(2 mu (S_i - 1) S_i + lambda J (J - 1)) U^T.
 std::unique_ptr<Material> fixed_corotated(double youngs_modulus, double poissons_ratio);
 
+/// psi = mu/2 (tr b - 3) - mu ln J + lambda/2 (ln J)^2, tau = mu (b - I) + lambda ln J I.
+std::unique_ptr<Material> neo_hookean(double youngs_modulus, double poissons_ratio);
+
 struct DruckerPragerInput {
   double youngs_modulus, poissons_ratio;
   double alpha;                ///< sqrt(2/27) M of the cone q = M p

@@ -130,6 +130,11 @@ BodySetup& add_jelly(SimulationSetup& setup, const std::vector<Vector>& points, 
   return body;
 }
 
+BodySetup& add_rubber(SimulationSetup& setup, const std::vector<Vector>& points, double spacing,
+                      const NeoHookean::Input& input, double density) {
+  return add_body(setup, points, spacing, NeoHookean::name, input, density);
+}
+
 BodySetup& add_sand(SimulationSetup& setup, const std::vector<Vector>& points, double spacing,
                     const DruckerPrager::Input& input, double density) {
   return add_body(setup, points, spacing, DruckerPrager::name, input, density);
@@ -243,6 +248,8 @@ std::unique_ptr<reference::Material> reference_sand(const DruckerPrager::Input& 
 std::unique_ptr<reference::Material> reference_material(const BodySetup& body, bool flat) {
   if (const auto* jelly = std::any_cast<FixedCorotated::Input>(&body.input))
     return reference::fixed_corotated(jelly->youngs_modulus, jelly->poissons_ratio);
+  if (const auto* rubber = std::any_cast<NeoHookean::Input>(&body.input))
+    return reference::neo_hookean(rubber->youngs_modulus, rubber->poissons_ratio);
   if (const auto* sand = std::any_cast<DruckerPrager::Input>(&body.input))
     return reference_sand(*sand, flat);
   const auto& fluid = std::any_cast<const JFluid::Input&>(body.input);

@@ -13,6 +13,7 @@
 #include "materials/drucker_prager.hpp"
 #include "materials/fixed_corotated.hpp"
 #include "materials/j_fluid.hpp"
+#include "materials/neo_hookean.hpp"
 #include "solver/simulation/simulation.hpp"
 #include "verification/reference/solver.hpp"
 
@@ -58,7 +59,10 @@ struct Jelly {
 BodySetup& add_jelly(SimulationSetup& setup, const std::vector<Vector>& points, double spacing,
                      const Jelly& jelly, const std::string& name = "jelly");
 
-/// The same of sand (cohesion and dilation angle 0 unless given) and of a fluid.
+/// The same of a neo-Hookean solid, of sand (cohesion and dilation angle 0 unless given) and of a
+/// fluid.
+BodySetup& add_rubber(SimulationSetup& setup, const std::vector<Vector>& points, double spacing,
+                      const NeoHookean::Input& input, double density);
 BodySetup& add_sand(SimulationSetup& setup, const std::vector<Vector>& points, double spacing,
                     const DruckerPrager::Input& input, double density);
 BodySetup& add_fluid(SimulationSetup& setup, const std::vector<Vector>& points, double spacing,

@@ -16,7 +16,9 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -38,8 +40,12 @@ struct Case {
       load.push_back(row.collider_force_torque.at(0)[1] / (b * cu));
     }
     out.value("load", load.back(), prandtl);
-    const std::size_t early = load.size() - 1 - load.size() / 6;
-    out.value("rise at the end", load.back() / load[early] - 1);
+    // Means, for the load swings by some thousandths; of sixths of the time, for the plateau is
+    // reached within two thirds of it.
+    const auto sixth = static_cast<std::ptrdiff_t>(load.size() / 6);
+    const double last = std::accumulate(load.end() - sixth, load.end(), 0.0);
+    const double before = std::accumulate(load.end() - 2 * sixth, load.end() - sixth, 0.0);
+    out.value("rise at the end", last / before - 1);
     out.value("pressure scatter", scatter(run) / cu);
     out.figure("Load", "settlement (mm)", "load over cu")
         .computed(settlement, load)
