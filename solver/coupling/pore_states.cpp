@@ -28,7 +28,7 @@ void PoreStates<D>::move_pores() {
     }
   }
   std::swap(now_, coming_);
-  coming_.vectors = {};  // memory that waits for the next order would count twice
+  coming_ = {};  // memory that waits for the next order would count twice
 }
 
 template class PoreStates<2>;
