@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/registry.hpp"
 #include "solver/coupling/pressure_solver.hpp"
 #include "solver/deck/initial_stress.hpp"
 #include "solver/deck/key_text.hpp"
@@ -26,6 +27,7 @@ class Checker {
       water = water || material.porosity.has_value();
     }
     for (const DrainageSpec& drainage : deck_.drainage) check_drainage(drainage);
+    for (const BodySpec& body : deck_.bodies) check_total_stress(body);
     if (!deck_.coupling || problems_.any_under("coupling")) return;
     if (!water && !problems_.any_under("material")) {
       report({"coupling"}, "no material has a porosity, so that no water flows", "",
@@ -133,6 +135,27 @@ class Checker {
              "set its porosity, or name another body");
       return;
     }
+  }
+
+  /// A total stress needs a pore pressure that it can differ by.
+  void check_total_stress(const BodySpec& body) {
+    if (!body.initial_stress || !body.initial_stress->total) return;
+    if (problems_.any_under(key_text({"body", body.name, "initial_stress"}))) return;
+    const MaterialSpec* material = deck_.find_material(body.material);
+    if (material == nullptr || material->porosity) return;  // without [coupling]: its porosity's
+    if (problems_.any_under("material." + toml_key(material->name))) return;
+    const bool undrained = material->undrained_bulk_modulus.has_value();
+    const bool may_have_pores = find_material_model(material->model)->effective_stress;
+    const std::string pores = deck_.coupling ? ", or set the porosity of the material"
+                                             : ", or set the porosity of the material and add "
+                                               "[coupling]";
+    report({"body", body.name, "initial_stress", "total"},
+           undrained
+               ? "the pore pressure of undrained_bulk_modulus starts from zero, so that total "
+                 "and effective stress are the same"
+               : "no water flows in material " + material->name +
+                     ", so that total and effective stress are the same",
+           "", "remove it" + (may_have_pores && !undrained ? pores : ""));
   }
 
   void check_method() {

@@ -265,6 +265,7 @@ class Checker {
     const MaterialSpec* material = deck_.find_material(body.material);
     if (!body.initial_stress || faulty(key + ".initial_stress") || faulty("method.gravity")) return;
     if (!material || faulty("material." + toml_key(material->name))) return;
+    if (faulty("coupling.initial_pressure") || faulty("coupling.water_table")) return;
     const auto fault = initial_stress_fault(deck_, body, position);
     if (!fault) return;
     std::vector<std::string> path{"body", body.name, "initial_stress"};

@@ -92,8 +92,16 @@ Finding above_surface(const InitialStress& field, const double* x) {
 Finding not_carried(const Law& law, const InitialStress& field, const MaterialSpec& material,
                     const double* x, int dimension) {
   const Stress stress = field.at(x);
-  std::string message = "model " + material.model + " has no elastic state with the stress " +
+  std::string message = "model " + material.model + " has no elastic state with the " +
+                        (field.total() ? "effective stress " : "stress ") +
                         vector_text(stress.data(), 3) + " Pa";
+  if (field.total()) {
+    return {"value",
+            message + " at " + vector_text(x, dimension) + " m, where the pore pressure is " +
+                short_number(field.pressure(x)) + " Pa",
+            "effective stresses inside the yield surface, of a kind that the law carries",
+            "change the stress or the pressure, or " + law.repair()};
+  }
   if (!field.geostatic()) {
     return {"value", message, "stresses inside the yield surface, of a kind that the law carries",
             "change the stress, or " + law.repair()};
@@ -104,16 +112,21 @@ Finding not_carried(const Law& law, const InitialStress& field, const MaterialSp
           (possible.empty() ? "" : "set k0, or ") + law.repair()};
 }
 
-/// Index of the particles that are tried: highest, lowest, some between.
+/// Index of the particles that are tried: highest, lowest, some between; of a total stress those of
+/// the least and the largest pore pressure, between which all effective stresses lie.
 std::vector<std::size_t> sample_of(const InitialStress& field,
                                    const std::vector<double>& position) {
   constexpr std::size_t most = 24;
-  if (!field.geostatic()) return {0};
+  if (!field.geostatic() && !field.total()) return {0};
   std::vector<std::size_t> order(position.size() / 3);
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return field.depth(&position[3 * a]) < field.depth(&position[3 * b]);
-  });
+  std::vector<double> rank(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double* x = &position[3 * i];
+    order[i] = i;
+    rank[i] = field.total() ? field.pressure(x) : field.depth(x);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return rank[a] < rank[b]; });
   if (order.size() <= most) return order;
   std::vector<std::size_t> sample;
   for (std::size_t i = 0; i < most; ++i) {
@@ -156,7 +169,12 @@ InitialStress::InitialStress(const Deck& deck, const BodySpec& body, const Mater
 }
 
 std::array<double, 3> InitialStress::at(const double* x) const {
-  if (!geostatic()) return spec_.value;
+  if (!geostatic()) {
+    Stress stress = spec_.value;
+    if (!spec_.total) return stress;
+    for (double& normal : stress) normal += pressure_.biot() * pressure_.at(x);
+    return stress;
+  }
   double surface[3] = {x[0], x[1], x[2]};
   surface[axis_] = spec_.surface;
   const double total = -weight_ * depth(x) - pressure_.at(surface);

@@ -14,7 +14,7 @@ namespace scree {
 /// The stress of a body at the start as a function of the place: normal stresses xx, yy, zz along
 /// the axes [Pa], tension positive; no shear stress. Effective where there is pore water: where it
 /// flows, geostatic stress is that of the total weight less the initial pore pressure, and water
-/// that stands above the surface loads it.
+/// that stands above the surface loads it; a total uniform stress is likewise less that pressure.
 class InitialStress {
  public:
   /// Geostatic needs gravity at t = 0 along one axis (a check of the deck). A k0 that the deck does
@@ -23,6 +23,10 @@ class InitialStress {
 
   std::array<double, 3> at(const double* x) const;
   bool geostatic() const { return spec_.type == InitialStressType::geostatic; }
+  /// Whether it is the effective part of a total stress that the deck gives.
+  bool total() const { return !geostatic() && spec_.total; }
+  /// Pore pressure at the start, compression positive [Pa].
+  double pressure(const double* x) const { return pressure_.at(x); }
   int axis() const { return axis_; }
   double k0() const { return k0_; }
   void set_k0(double k0) { k0_ = k0; }

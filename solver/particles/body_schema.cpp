@@ -8,7 +8,8 @@ Schema<InitialStressSpec> make_initial_stress_schema() {
   Schema<InitialStressSpec> s("initial_stress",
                               "The stress of a body at the start, in place of what its material's "
                               "keys say of it (initial_pressure, initial_j). Effective where there "
-                              "is pore water: excess pore pressures start from zero.");
+                              "is pore water, for excess pore pressures start from zero; a uniform "
+                              "one may be given as total stress.");
   s.choice("type", &InitialStressSpec::type,
            {{"geostatic", InitialStressType::geostatic}, {"uniform", InitialStressType::uniform}})
       .doc(
@@ -28,6 +29,13 @@ Schema<InitialStressSpec> make_initial_stress_schema() {
       .length(3)
       .when("type", {"uniform"})
       .doc("Normal stresses xx, yy, zz, tension positive; zz also in 2D.");
+  s.flag("total", &InitialStressSpec::total)
+      .when("type", {"uniform"})
+      .fallback(false)
+      .doc(
+          "value is the total stress: every particle starts from the effective one, value + "
+          "biot_coefficient x its pore pressure at the start (coupling.initial_pressure, "
+          "water_table). Only where water flows.");
   return s;
 }
 
@@ -48,7 +56,7 @@ Schema<BodySpec> make_body_schema() {
           "affine matrix.");
   s.table("initial_stress", &BodySpec::initial_stress, &initial_stress_schema)
       .fallback_text("none")
-      .doc("Effective stress at the start.");
+      .doc("Stress at the start.");
   return s;
 }
 

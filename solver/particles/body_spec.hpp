@@ -18,6 +18,7 @@ struct InitialStressSpec {
   double surface = 0;        ///< geostatic: coordinate of the free surface along gravity's axis, m
   std::optional<double> k0;  ///< geostatic: horizontal over vertical stress; not given: the law's
   std::array<double, 3> value{};  ///< uniform: xx, yy, zz, Pa
+  bool total = false;             ///< uniform: `value` holds the pore pressure's share too
 };
 
 /// `[body.NAME]`: a shape filled with particles of one material.

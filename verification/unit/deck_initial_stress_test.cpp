@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decks with initial stress and pore water: what is refused, with which sentence, and what a run
 // gets.
+#include <algorithm>
 #include <cmath>
 
 #include "app/build_simulation.hpp"
@@ -183,6 +184,106 @@ TEST(DeckInitialStress, GravityMayPointUpOrAside) {
   EXPECT_EQ(field.axis(), 0);
   EXPECT_NEAR(field.at(x)[0], -1600 * 5 * 0.15, 1e-9);
   EXPECT_NEAR(field.at(x)[1], -0.7 * 1600 * 5 * 0.15, 1e-9);
+}
+
+/// Lets water flow in the good deck; more lines for --set.
+std::vector<std::string> with_water(const std::vector<std::string>& more) {
+  std::vector<std::string> set{"coupling.type=\"biot\"", "material.sand.porosity=0.4",
+                               "material.sand.hydraulic_conductivity=1e-5"};
+  set.insert(set.end(), more.begin(), more.end());
+  return set;
+}
+
+const char* const total_stress =
+    R"~({ type = "uniform", value = [-5e3, -5e3, -6e3], total = true })~";
+
+TEST(DeckTotalStress, EffectiveIsThatAndThePressure) {
+  Problems problems;
+  const Deck deck = read_deck_text(stressed(total_stress), "deck.toml",
+                                   with_water({"material.sand.biot_coefficient=0.8",
+                                               "coupling.initial_pressure=\"2e3 + 1e4*x\""}),
+                                   problems);
+  ASSERT_TRUE(problems.empty()) << problems.text();
+  const InitialStress field(deck, deck.bodies[0], deck.materials[0]);
+  const double x[3] = {0.05, 0.1, 0};
+  EXPECT_NEAR(field.at(x)[0], -5e3 + 0.8 * 2.5e3, 1e-9);
+  EXPECT_NEAR(field.at(x)[1], -5e3 + 0.8 * 2.5e3, 1e-9);
+  EXPECT_NEAR(field.at(x)[2], -6e3 + 0.8 * 2.5e3, 1e-9);
+  EXPECT_NE(resolved_toml(deck).find("total = true"), std::string::npos);
+}
+
+/// The fields of a run at its start, at every particle, under a water table inside the body.
+TEST(DeckTotalStress, RunsStartWithIt) {
+  const std::vector<std::string> set = with_water(
+      {"domain.cell_size=0.02", "material.sand.biot_coefficient=0.8", "coupling.water_table=0.15"});
+  Problems problems;
+  const Deck deck = read_deck_text(stressed(total_stress), "deck.toml", set, problems);
+  ASSERT_TRUE(problems.empty()) << problems.text();
+  const auto simulation = Simulation::create(build_setup(deck));
+  const auto snapshot = simulation->particles({"stress", "effective_stress", "pore_pressure"});
+  const double rounding = 1e-12 * 6e3 + 4 * 1e-15 * 2e6;  // of the stretch, times the stiffness
+  double highest = 0;
+  for (std::size_t p = 0; p < snapshot.id.size(); ++p) {
+    const double pressure = 9810 * std::max(0.0, 0.15 - snapshot.position[3 * p + 1]);
+    highest = std::max(highest, pressure);
+    EXPECT_NEAR(snapshot.fields[2].values[p], pressure, 1e-12 * 1500);
+    for (std::size_t k = 0; k < 9; ++k) {
+      const double total = k == 8 ? -6e3 : k % 4 == 0 ? -5e3 : 0;
+      const double effective = total + (k % 4 == 0 ? 0.8 * pressure : 0);
+      EXPECT_NEAR(snapshot.fields[0].values[9 * p + k], total, rounding);
+      EXPECT_NEAR(snapshot.fields[1].values[9 * p + k], effective, rounding);
+    }
+  }
+  EXPECT_GT(highest, 1e3);
+}
+
+/// Where the pressure is highest there is tension; a particle anywhere may be the one.
+TEST(DeckTotalStress, IsTriedWhereThePressureIsHighest) {
+  for (const char* pressure : {"2e3 + 6e4*x", "2e3 + 3e4*y", "8e3 - 6e4*x"}) {
+    const std::string report = report_of(
+        total_stress, with_water({std::string("coupling.initial_pressure=\"") + pressure + "\""}));
+    EXPECT_EQ(report.rfind("deck.toml:23:46: body.column.initial_stress.value = [-5e3, -5e3, "
+                           "-6e3]: model drucker_prager has no elastic state with the effective "
+                           "stress [",
+                           0),
+              0u)
+        << report;
+  }
+  EXPECT_EQ(report_of(total_stress, with_water({"coupling.initial_pressure=\"1e3 + 2e4*x\""})), "");
+  EXPECT_EQ(report_of(total_stress, with_water({"coupling.water_table=0.2"})), "");
+}
+
+TEST(DeckTotalStress, NeedsWaterThatFlows) {
+  const std::string place = "deck.toml:23:74: body.column.initial_stress.total = true: ";
+  const std::string dry = place +
+                          "no water flows in material sand, so that total and effective stress "
+                          "are the same; remove it, or set the porosity of the material";
+  EXPECT_EQ(report_of(total_stress), dry + " and add [coupling]\n");
+  EXPECT_NE(report_of(total_stress, {"coupling.type=\"biot\""}).find(dry + "\n"),
+            std::string::npos);
+  EXPECT_EQ(report_of(total_stress, {"material.sand.undrained_bulk_modulus=1e8"}),
+            place +
+                "the pore pressure of undrained_bulk_modulus starts from zero, so that total and "
+                "effective stress are the same; remove it\n");
+  EXPECT_EQ(report_of(R"~({ type = "uniform", value = [-5e3, -5e3, -6e3], total = false })~"), "");
+}
+
+/// What is wrong elsewhere is said once, and not a second time as a stress.
+TEST(DeckTotalStress, FaultsOfTheWaterAreSaidOnce) {
+  const std::string report =
+      report_of(total_stress, with_water({"coupling.initial_pressure=\"1e3/(x-x)\""}));
+  EXPECT_NE(report.find("is not finite at the particle at"), std::string::npos) << report;
+  EXPECT_EQ(std::count(report.begin(), report.end(), '\n'), 1) << report;
+  const std::string dry = report_of(total_stress, {"material.sand.porosity=0.4"});
+  EXPECT_EQ(dry.find("total"), std::string::npos) << dry;
+}
+
+TEST(DeckTotalStress, BelongsToUniformStress) {
+  const std::string report =
+      report_of(R"~({ type = "geostatic", surface = 0.2, total = true })~", with_water({}));
+  EXPECT_NE(report.find("total = true: does not belong to type = \"geostatic\""), std::string::npos)
+      << report;
+  EXPECT_EQ(std::count(report.begin(), report.end(), '\n'), 1) << report;
 }
 
 TEST(DeckPoreWater, FluidsCannotHaveIt) {
