@@ -14,6 +14,7 @@
 
 #include "solver/base/error.hpp"
 #include "solver/base/foreign_leaks.hpp"
+#include "solver/io/hdf5_handle.hpp"
 
 namespace scree {
 namespace {
@@ -47,6 +48,9 @@ void start_petsc() {
     PetscInitialized(&running);
     if (running == PETSC_TRUE) return;
     overlook_foreign_leaks();
+    // First: a parallel HDF5 that finds MPI running ends with it, in the middle of files that a
+    // full disk has left open.
+    start_hdf5();
     check(PetscInitializeNoArguments(), "PetscInitialize");
     PetscPopSignalHandler();  // signals are the run's
     PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);

@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "solver/base/error.hpp"
 #include "solver/coupling/pressure_solver.hpp"
+#include "solver/io/checkpoint.hpp"
+#include "verification/support/file_size_limit.hpp"
+#include "verification/support/temporary_folder.hpp"
 
 namespace scree::testing {
 namespace {
@@ -63,6 +67,28 @@ TEST(PressureSolver, wrong_options_are_known_before) {
             "PETSc does not know -scree_p_ksp_rtoll");
   EXPECT_NE(wrong_solver_options("jacobi", "-scree_p_pc_type none_such").find("PETSc failed"),
             std::string::npos);
+}
+
+/// A solve, then a checkpoint on a full disk, then the end of the program.
+void solve_then_fill_the_disk() {
+  Chain chain(50);
+  const bool solved = chain.solve("").converged;
+  const TemporaryFolder folder;
+  bool failed = false;
+  try {
+    const FileSizeLimit limit(30000);
+    CheckpointWriter out(folder / "checkpoint.h5");
+    out.put("large", std::vector<double>(100000, 1.0));
+    out.commit();
+  } catch (const RunFault&) {
+    failed = true;
+  }
+  std::exit(solved && failed ? 1 : 2);
+}
+
+TEST(PressureSolverDeathTest, a_full_disk_does_not_disturb_the_end_of_the_program) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a process in which neither library has begun
+  EXPECT_EXIT(solve_then_fill_the_disk(), ::testing::ExitedWithCode(1), "");
 }
 
 }  // namespace
