@@ -85,7 +85,9 @@ TEST(PointOrder, PointsOfACellAndOfAHalfCellFollowEachOther) {
           EXPECT_EQ(run.cell[a], int(std::floor((block.place(i, a) - offset) / spacing)));
           half[a] = int(std::floor(2 * block.place(i, a)));
         }
-        if (p == run.begin || half != last) EXPECT_TRUE(halves.insert(half).second);
+        if (p == run.begin || half != last) {
+          EXPECT_TRUE(halves.insert(half).second);
+        }
         last = half;
       }
     }
@@ -125,7 +127,9 @@ TEST(FlowColumns, OfOneColourAreTwoBlocksApartAndInOrder) {
         EXPECT_TRUE(seen.insert(column[k]).second);
         const auto& at = chunks[std::size_t(column[k])].block;
         EXPECT_TRUE(at[0] == first[0] && at[1] == first[1]);
-        if (k > 0) EXPECT_GT(at[2], chunks[std::size_t(column[k - 1])].block[2]);
+        if (k > 0) {
+          EXPECT_GT(at[2], chunks[std::size_t(column[k - 1])].block[2]);
+        }
       }
       for (const auto& other : of_colour) {
         const auto& far = chunks[std::size_t(other.front())].block;
