@@ -21,7 +21,7 @@ class Figure {
   Figure(std::string title_, std::string x, std::string y)
       : title(std::move(title_)), x_label(std::move(x)), y_label(std::move(y)) {}
 
-  /// A curve of the run. Only those of each series' finest run are drawn.
+  /// A curve of the run. Those of each series' finest run are drawn, or of all runs of one size.
   Figure& computed(std::vector<double> x, std::vector<double> y, const std::string& name = "") {
     curves.push_back({name, std::move(x), std::move(y), false, false});
     return *this;

@@ -61,8 +61,8 @@ std::string peers_html(const std::vector<CaseResult>& results) {
   const std::vector<PeerRow> rows = peer_rows(results);
   if (rows.empty()) return {};
   std::string text =
-      "<h2 id=\"peers\">Beside other codes</h2>\n<p>The same problems with the same cells and "
-      "particles, by the same measure.</p>\n<table><tr><th>case</th><th>run</th><th>quantity</th>"
+      "<h2 id=\"peers\">Beside other codes</h2>\n<p>The same problems by the same measure; what "
+      "differs stands beside the source.</p>\n<table><tr><th>case</th><th>run</th><th>quantity</th>"
       "<th>other code</th><th>theirs</th><th>scree</th><th></th><th>source</th></tr>\n";
   for (const PeerRow& row : rows) {
     text += fmt::format(

@@ -13,11 +13,13 @@ namespace {
 constexpr int width = 780, axes_height = 450;
 constexpr Colour black{0.1, 0.1, 0.1};
 
-/// Colours that can be told apart also by most of the colour-blind (Okabe and Ito).
+/// Colours that can be told apart also by most of the colour-blind (Okabe and Ito), and more for
+/// cases with many series.
 Colour colour_of(std::size_t series) {
   static const Colour colours[] = {{0.0, 0.447, 0.698}, {0.835, 0.369, 0.0}, {0.0, 0.62, 0.451},
                                    {0.8, 0.475, 0.655}, {0.902, 0.624, 0.0}, {0.337, 0.706, 0.914},
-                                   {0.45, 0.35, 0.2}};
+                                   {0.45, 0.35, 0.2},   {0.36, 0.2, 0.6},    {0.6, 0.05, 0.15},
+                                   {0.55, 0.6, 0.1},    {0.0, 0.35, 0.35},   {0.95, 0.5, 0.55}};
   return colours[series % std::size(colours)];
 }
 
@@ -28,25 +30,45 @@ Picture drawn(const std::string& title, const Chart& chart) {
   return {title, drawing.svg(title)};
 }
 
-/// The finest run of each series that came to its end.
-std::vector<const RunResult*> finest(const CaseResult& result) {
-  std::vector<const RunResult*> best(result.sweep.series.size(), nullptr);
-  for (const RunResult& run : result.runs) {
-    const RunResult*& chosen = best[run.plan.series];
-    if (!run.fault.empty()) continue;
-    if (chosen == nullptr || run.plan.size < chosen->plan.size) chosen = &run;
+/// A run whose figures are drawn.
+struct Shown {
+  const RunResult* run = nullptr;
+  std::string name;        ///< of its curves
+  std::size_t colour = 0;  ///< a series has one, more runs of it have others
+};
+
+/// The finest run of each series that came to its end. Where an angle or a load is swept and no
+/// size, all runs: they are different problems.
+std::vector<Shown> shown_runs(const CaseResult& result) {
+  std::vector<Shown> shown;
+  std::size_t more = result.sweep.series.size();
+  for (std::size_t s = 0; s < result.sweep.series.size(); ++s) {
+    std::vector<const RunResult*> runs;
+    for (const RunResult& run : result.runs) {
+      if (run.plan.series == s && run.fault.empty()) runs.push_back(&run);
+    }
+    if (runs.empty()) continue;
+    const auto size = [](const RunResult* a, const RunResult* b) {
+      return a->plan.size < b->plan.size;
+    };
+    const auto [least, most] = std::minmax_element(runs.begin(), runs.end(), size);
+    if (runs.size() == 1 || (*most)->plan.size > 1.001 * (*least)->plan.size) {
+      shown.push_back({*least, (*least)->plan.series_name, s});
+      continue;
+    }
+    for (const RunResult* run : runs)
+      shown.push_back({run, run->plan.label, run == runs.front() ? s : more++});
   }
-  std::erase(best, nullptr);
-  return best;
+  return shown;
 }
 
-Curve curve_of(const FigureCurve& source, std::size_t series, const std::string& name) {
+Curve curve_of(const FigureCurve& source, std::size_t colour, const std::string& name) {
   Curve curve;
   curve.x = source.x;
   curve.y = source.y;
   curve.dots = source.dots;
   curve.line = !source.dots;
-  curve.colour = source.reference ? black : colour_of(series);
+  curve.colour = source.reference ? black : colour_of(colour);
   curve.dashed = source.reference;
   curve.thickness = source.reference ? 2.5 : 3;
   curve.name = name;
@@ -63,10 +85,9 @@ class FigureCollector {
   explicit FigureCollector(const CaseResult& result) : result_(result) {}
 
   std::vector<Picture> all() {
-    const auto runs = finest(result_);
-    for (const RunResult* run : runs) collect(run->measured, run->plan, runs.size() == 1);
-    RunPlan together;
-    collect(result_.compared, together, true);
+    const auto runs = shown_runs(result_);
+    for (const Shown& shown : runs) collect(shown.run->measured, shown, runs.size() == 1);
+    collect(result_.compared, {}, true);
     std::vector<Picture> pictures;
     for (std::size_t i = 0; i < charts_.size(); ++i)
       pictures.push_back(drawn(titles_[i], charts_[i]));
@@ -74,10 +95,10 @@ class FigureCollector {
   }
 
  private:
-  void collect(const Measured& measured, const RunPlan& plan, bool one) {
+  void collect(const Measured& measured, const Shown& shown, bool one) {
     for (const Figure& figure : measured.figures) {
       Chart& chart = chart_of(figure);
-      for (const FigureCurve& source : figure.curves) add(chart, source, plan, one);
+      for (const FigureCurve& source : figure.curves) add(chart, source, shown, one);
     }
   }
 
@@ -93,10 +114,10 @@ class FigureCollector {
     return chart;
   }
 
-  /// References that several runs share are drawn once, and named after the series where they
+  /// References that several runs share are drawn once, and named after the runs where they
   /// differ.
-  static void add(Chart& chart, const FigureCurve& source, const RunPlan& plan, bool one) {
-    std::string name = joined(plan.series_name, source.name, one);
+  static void add(Chart& chart, const FigureCurve& source, const Shown& shown, bool one) {
+    std::string name = joined(shown.name, source.name, one);
     if (source.reference) {
       for (const Curve& known : chart.curves) {
         if (known.x == source.x && known.y == source.y) return;
@@ -105,7 +126,7 @@ class FigureCollector {
                                      [&](const Curve& known) { return known.name == source.name; });
       if (!taken) name = source.name;
     }
-    chart.curves.push_back(curve_of(source, plan.series, name));
+    chart.curves.push_back(curve_of(source, shown.colour, name));
   }
 
   const CaseResult& result_;

@@ -32,7 +32,7 @@ struct Case {
       exact.push_back(g * frame.time() * frame.time() / 2 / run.number("cell"));
     }
     out.value("fall", way.back() / exact.back(), 1);
-    out.figure("Way of the ball", "time (s)", "cells")
+    out.figure("Way of the ball", "time (s)", "way (cells)")
         .computed(t, way, run.label)
         .exact(t, exact, "free fall");
   }

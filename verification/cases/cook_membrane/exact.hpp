@@ -61,7 +61,8 @@ struct Case {
       t.push_back(row.time / run.number("ramp"));
       u.push_back((row.center[1] - run.history.front().center[1]) * scale);
     }
-    out.figure("Deflection of the centre of mass", "time over ramp", "times E/F").computed(t, u);
+    out.figure("Deflection of the centre of mass", "time over ramp", "deflection times E/F")
+        .computed(t, u);
     draw(run, end, out);
   }
 
@@ -79,7 +80,7 @@ struct Case {
     }
     out.figure(run.number("nu") > 0.4 ? "Pressure along the middle, nu = 0.49"
                                       : "Pressure along the middle, nu = 0.25",
-               "x (m)", "over F/16 m")
+               "x (m)", "pressure over F/(16 m)")
         .particles(x, pressure);
   }
 };

@@ -43,9 +43,9 @@ struct Case {
     out.value("energy gained", *std::max_element(total.begin(), total.end()) - 1);
     out.value("energy kept", total.back());
     out.value("vibration", sum / rows);
-    out.figure("Kinetic energy of the vibration", "time (s)", "over the energy of the fall")
+    out.figure("Kinetic energy of the vibration", "time (s)", "energy over that of the fall")
         .computed(t, quiver);
-    out.figure("Kinetic, elastic and potential energy", "time (s)", "over the energy of the fall")
+    out.figure("Kinetic, elastic and potential energy", "time (s)", "energy over that of the fall")
         .computed(t, total)
         .exact({0, end}, {1, 1}, "kept");
   }

@@ -73,7 +73,7 @@ struct Case {
     for (double a : aspect) published.push_back(lube_run_out(a));
     out.value("run-out grows", std::is_sorted(run_out.begin(), run_out.end()) ? 1 : 0);
     out.figure("Run-out of sand", "aspect ratio", "(d - d0)/d0")
-        .computed(aspect, run_out)
+        .computed(aspect, run_out, "sand")
         .published(aspect, published, "Lube et al. 2005");
   }
 

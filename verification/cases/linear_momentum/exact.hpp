@@ -43,7 +43,7 @@ struct Case {
     out.figure("Momentum lost or gained", "time (s)", "|P - P(0)| over a ball's momentum")
         .computed(t, error)
         .logarithmic_y();
-    out.figure("Kinetic energy", "time (s)", "over the first").computed(t, energy);
+    out.figure("Kinetic energy", "time (s)", "energy over the first").computed(t, energy);
   }
 
  private:

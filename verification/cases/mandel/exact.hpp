@@ -159,7 +159,7 @@ struct Case {
     }
     out.value("outflow error", worst);
     out.value("water balance", std::abs(run.history.back().fluid->error));
-    out.figure("Water that flowed out", "time factor T", "of that in the end")
+    out.figure("Water that flowed out", "time factor T", "outflow over that in the end")
         .computed(T, measured)
         .exact(T, right);
   }

@@ -45,7 +45,7 @@ struct Case {
     std::vector<double> t;
     for (const ParticleSnapshot& frame : run.frames) t.push_back(frame.time);
     out.value("least energy", *std::min_element(energy.begin(), energy.end()));
-    out.figure("Kinetic energy about the moving frame", "time (s)", "over that at the start")
+    out.figure("Kinetic energy about the moving frame", "time (s)", "energy over that at the start")
         .computed(t, energy, run.number("moved") > 0 ? "moved along" : "at rest");
   }
 

@@ -42,7 +42,9 @@ struct Case {
     out.value("offset", (friction * R - R * R / 2 * turns) / across / run.number("cell"));
     std::vector<double> exact;
     for (const double time_now : t) exact.push_back(alpha * (time_now - run.number("ramp") / 2));
-    out.figure("Angular velocity", "time (s)", "rad/s").computed(t, w).exact(t, exact);
+    out.figure("Angular velocity", "time (s)", "angular velocity (rad/s)")
+        .computed(t, w)
+        .exact(t, exact);
   }
 
  private:

@@ -7,7 +7,9 @@
 // M = 1/(n/K_f + (alpha - n)/K_s) the storage modulus, M_oed that of the drained soil.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "verification/suite/measured.hpp"
 #include "verification/suite/run.hpp"
@@ -36,6 +38,35 @@ struct Case {
     out.value("total less parts", all);
     out.value("water balance", std::abs(run.history.back().fluid->error));
     out.value("rest", run.history.back().kinetic_energy / run.history.back().elastic_energy);
+  }
+
+  /// The share of the water over its stiffness.
+  static void compare(const std::vector<const Run*>& runs, Measured& out) {
+    if (runs.empty()) return;
+    const Run& one = *runs.front();
+    const double alpha = one.number("alpha"), n = one.number("porosity");
+    std::vector<double> stiffness, share, water, exact;
+    for (const Run* run : runs) {
+      const ParticleFrame end = run->frame();
+      const auto p = end.field("pore_pressure"), volume = end.field("volume");
+      double pressure = 0, sum = 0;
+      for (std::size_t i = 0; i < end.size(); ++i) {
+        pressure += p(i) * volume(i) / run->number("load");
+        sum += volume(i);
+      }
+      stiffness.push_back(run->number("Kf") / 1e6);
+      share.push_back(pressure / sum);
+    }
+    const auto [least, most] = std::minmax_element(stiffness.begin(), stiffness.end());
+    for (int i = 0; i <= 60; ++i) {
+      water.push_back(*least * std::pow(*most / *least, i / 60.0));
+      const double M = 1 / (n / (1e6 * water.back()) + (alpha - n) / one.number("Ks"));
+      exact.push_back(alpha * M / (one.number("modulus") + alpha * alpha * M));
+    }
+    out.figure("Share of the water", "bulk modulus of the water (MPa)", "p/q")
+        .particles(stiffness, share, "mean of the particles")
+        .exact(water, exact)
+        .logarithmic_x();
   }
 };
 

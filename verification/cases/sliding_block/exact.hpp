@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
 #include "verification/suite/measured.hpp"
@@ -46,8 +47,9 @@ struct Case {
 
  private:
   static std::string short_number(double x) {
-    const std::string text = std::to_string(x);
-    return text.substr(0, text.find('.') + 2);
+    char text[16];
+    std::snprintf(text, sizeof text, "%.2g", x);
+    return text;
   }
 };
 

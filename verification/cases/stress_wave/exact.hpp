@@ -72,7 +72,7 @@ struct Case {
       largest = std::max(largest, std::abs(mean.back() - exact.back()));
     }
     out.value("velocity error", largest);
-    out.figure("Mean velocity, " + run.text("kind"), "t c/L", "over that behind the front")
+    out.figure("Mean velocity, " + run.text("kind"), "t c/L", "velocity over that behind the front")
         .computed(t, mean)
         .exact(t, exact);
   }

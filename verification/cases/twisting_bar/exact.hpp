@@ -81,7 +81,8 @@ struct Case {
     }
     out.value("energy lost", 1 - energy.back());
     out.value("energy gained", highest - 1);
-    out.figure("Kinetic and elastic energy", "time over the quarter period", "over the first")
+    out.figure("Kinetic and elastic energy", "time over the quarter period",
+               "energy over the first")
         .computed(t, energy)
         .exact({0, t.back()}, {1, 1});
   }

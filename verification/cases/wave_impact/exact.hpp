@@ -35,7 +35,7 @@ struct Case {
     out.value("contact time", (passes(t, v, -0.8) - passes(t, v, 0.8)) * 2 / 1.6, 2);
     out.value("speed lost", 1 + v.back());
     for (double& time : t) time -= start;
-    out.figure("Mean velocity of the left bar", "time over L/c", "over its first velocity")
+    out.figure("Mean velocity of the left bar", "time over L/c", "velocity over the first")
         .computed(t, v)
         .exact({t.front(), 0, 2, t.back()}, {1, 1, -1, -1});
     measure_plateau(run, exact, start, out);
