@@ -7,6 +7,7 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
@@ -66,6 +67,8 @@ void write(vtkXMLWriter& writer, vtkDataSet& data, const std::string& path) {
   writer.SetDataModeToBinary();  // as the frames: readable by every ParaView
   writer.SetCompressorTypeToNone();
   writer.SetHeaderTypeToUInt64();
+  // A failure is told in one sentence of ours, not in pages of VTK's own.
+  vtkObject::GlobalWarningDisplayOff();
   errno = 0;
   if (writer.Write() == 0 || writer.GetErrorCode() != 0) {
     const int error = errno;

@@ -41,6 +41,18 @@ std::vector<std::int64_t> corners_around(const ActiveCells& active) {
   return corner;
 }
 
+/// Writes the arrays aside of `file`; returns their group. Leaves nothing where it fails.
+std::string write_arrays(const fs::path& file, double time, const std::vector<FrameArray>& arrays) {
+  try {
+    FrameFile out = FrameFile::create(aside(file), 1, false);
+    return out.add(time, 0, arrays);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(aside(file), ignored);
+    throw;
+  }
+}
+
 }  // namespace
 
 void write_xdmf_grid(const std::string& path, const Projection& projection, double time) {
@@ -60,12 +72,7 @@ void write_xdmf_grid(const std::string& path, const Projection& projection, doub
     arrays.push_back(std::move(array));
   }
   const fs::path file = fs::path(path).replace_extension(".h5");
-  std::string group;
-  {
-    FrameFile out = FrameFile::create(aside(file), 1, false);
-    group = out.add(time, 0, arrays);
-  }
-  const std::string place = file.filename().string() + ":" + group;
+  const std::string place = file.filename().string() + ":" + write_arrays(file, time, arrays);
   std::string text = fmt::format(
       "<?xml version=\"1.0\"?>\n<!-- t = {} s; meshio takes no Time of a single grid -->\n<Xdmf "
       "Version=\"3.0\">\n  <Domain>\n"

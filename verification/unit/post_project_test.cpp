@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
+#include "postproc/project/grid_file.hpp"
 #include "postproc/project/projection.hpp"
 #include "solver/base/error.hpp"
+#include "verification/support/file_size_limit.hpp"
 #include "verification/support/synthetic_run.hpp"
+#include "verification/support/temporary_folder.hpp"
 
 namespace scree {
 namespace {
@@ -158,6 +162,23 @@ TEST(Projection, ASolverThatDoesNotConvergeIsAFault) {
   } catch (const RunFault& fault) {
     const std::string sentence = fault.what();
     EXPECT_NE(sentence.find("DIVERGED_ITS after 2 iterations"), std::string::npos) << sentence;
+  }
+}
+
+TEST(ProjectionFile, AFullDiskLeavesNothing) {
+  const Lattice lattice = unit_lattice(2, 10);
+  const ParticleSnapshot body = skew_body(2, 1.0 / 30);
+  const Projection result =
+      project_fields(lattice, body, equal_volumes(body, 1.0 / 30), with_stabilization());
+  for (const char* name : {"grid.vti", "grid.vtu", "grid.xdmf"}) {
+    const TemporaryFolder folder;
+    {
+      const FileSizeLimit limit(1000);
+      EXPECT_THROW(write_grid_file((folder / name).string(), result, 0.0), RunFault) << name;
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << name;
+    write_grid_file((folder / name).string(), result, 0.0);
+    EXPECT_TRUE(std::filesystem::exists(folder / name)) << name;
   }
 }
 
