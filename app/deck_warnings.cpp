@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "materials/registry.hpp"
 #include "solver/boundary/collider.hpp"
 #include "solver/particles/shape.hpp"
 #include "solver/particles/shape_volume.hpp"
@@ -112,6 +113,26 @@ void add_masses(const Deck& deck, const SimulationSetup& setup,
   }
 }
 
+/// Laws that tell no elastic part of their change of volume have all of it averaged.
+void add_averages(const Deck& deck, std::vector<std::string>& warnings) {
+  if (deck.method.volumetric_locking == VolumetricLocking::none) return;
+  for (const MaterialSpec& material : deck.materials) {
+    const MaterialEntry* const law = find_material_model(material.model);
+    if (law->averaging_doubt == nullptr) continue;
+    for (const BodySpec& body : deck.bodies) {
+      if (body.material != material.name) continue;
+      const std::string doubt =
+          law->averaging_doubt(material.input, body.initial_stress.has_value());
+      if (doubt.empty()) continue;
+      warnings.push_back(fmt::format(
+          "method.volumetric_locking = \"fbar\" averages all changes of volume of {}: the material "
+          "{} {}; leave it off",
+          material.model, material.name, doubt));
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 std::string masses_text(const Deck& deck, const SimulationSetup& setup) {
@@ -143,6 +164,7 @@ std::vector<std::string> deck_warnings(const Deck& deck, const SimulationSetup& 
                     "would come apart",
                     deck.time.cfl, courant));
   }
+  add_averages(deck, warnings);
   add_overlaps(deck, setup, warnings);
   add_colliders(deck, setup, warnings);
   add_masses(deck, setup, warnings);

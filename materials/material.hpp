@@ -78,7 +78,8 @@ struct InadmissibleText {
 /// Optional functions of the Input, for decks; MaterialEntry says what they mean: `double
 /// rest_ratio(const Input&)`; `std::optional<State<double>> state_under(const Input&, const
 /// std::array<double, 3>&)` with `std::string stress_repair(const Input&)`; `std::optional<Finding>
-/// density_fault(const Input&, double)`; and the constant `InadmissibleText inadmissible`.
+/// density_fault(const Input&, double)`; `std::string averaging_doubt(const Input&, bool
+/// stressed)`; and the constant `InadmissibleText inadmissible`.
 template <class M>
 concept Material = requires(const typename M::Input& input) {
   { M::name } -> std::convertible_to<const char*>;

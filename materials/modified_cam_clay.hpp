@@ -71,6 +71,10 @@ struct ModifiedCamClay {
   static std::optional<State<double>> state_under(const Input& in,
                                                   const std::array<double, 3>& stress);
   static std::string stress_repair(const Input& in);
+  /// Averages of volume changes are of the whole one (no elastic part is known apart), and clay
+  /// that is overconsolidated more than twice dilates. Nothing is said of a
+  /// preconsolidation_pressure under an initial stress, for the ratio is another one at each place.
+  static std::string averaging_doubt(const Input& in, bool stressed);
 
   template <class T>
   struct Params {

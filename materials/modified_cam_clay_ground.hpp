@@ -3,6 +3,8 @@
 /// Ground of ModifiedCamClay at the start; included by modified_cam_clay.hpp.
 #pragma once
 
+#include <cstdio>
+
 #include "materials/modified_cam_clay.hpp"
 
 namespace scree {
@@ -44,6 +46,16 @@ inline std::optional<ModifiedCamClay::State<double>> ModifiedCamClay::state_unde
 inline std::string ModifiedCamClay::stress_repair(const Input& in) {
   if (in.ocr) return "raise reference_void_ratio, for no voids would be left";
   return "raise preconsolidation_pressure, or give ocr, which holds at every depth";
+}
+
+inline std::string ModifiedCamClay::averaging_doubt(const Input& in, bool stressed) {
+  if (stressed && !in.ocr) return "";
+  const double ratio = in.ocr ? *in.ocr : preconsolidation(in) / in.initial_pressure;
+  if (!(ratio > 2)) return "";
+  char text[96];
+  std::snprintf(text, sizeof text, "is overconsolidated %.5g times, and above 2 clay dilates",
+                ratio);
+  return text;
 }
 
 }  // namespace scree

@@ -61,6 +61,11 @@ void add_optional(MaterialEntry& entry) {
       return M::density_fault(std::any_cast<const Input&>(input), density);
     };
   }
+  if constexpr (requires(const Input& in) { M::averaging_doubt(in, true); }) {
+    entry.averaging_doubt = [](const std::any& input, bool stressed) {
+      return M::averaging_doubt(std::any_cast<const Input&>(input), stressed);
+    };
+  }
 }
 
 template <Material M>

@@ -35,6 +35,9 @@ struct MaterialEntry {
   std::string (*stress_repair)(const std::any&) = nullptr;
   /// What is wrong with this density of the body [kg/m^3]; the key is "density". May be null.
   std::optional<Finding> (*density_fault)(const std::any&, double) = nullptr;
+  /// What speaks against averages of its changes of volume (volumetric_locking), or "". stressed:
+  /// of a body with initial_stress. May be null.
+  std::string (*averaging_doubt)(const std::any&, bool stressed) = nullptr;
   std::optional<InadmissibleText> inadmissible;  ///< in place of the general sentence
 };
 

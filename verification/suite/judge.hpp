@@ -38,7 +38,7 @@ struct CheckResult {
   Expectation expectation;
   std::string series;
   std::vector<Judged> runs;
-  std::optional<double> order;  ///< observed between the two finest runs
+  std::optional<double> order;  ///< observed between the two finest runs, if asserted
   bool passed = false;
   std::string remark;  ///< what kept it from being judged
 };

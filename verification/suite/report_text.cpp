@@ -82,8 +82,9 @@ std::string failures(const CaseResult& result) {
   }
   for (const CheckResult& check : result.checks) {
     if (check.passed) continue;
-    text += fmt::format("{}: {} of {}", result.name, check.expectation.quantity, check.series);
-    if (!check.runs.empty()) text += ", " + worst(check).run;
+    // A run's label begins with its series.
+    text += fmt::format("{}: {} of {}", result.name, check.expectation.quantity,
+                        check.runs.empty() ? check.series : worst(check).run);
     text +=
         fmt::format(": {}, expected {}", measured_text(check), expected_text(check.expectation));
     if (check.order) text += ", order " + order_text(check);

@@ -23,9 +23,10 @@ namespace scree::verify {
 namespace {
 
 /// The cases of these names, each once, in the order of the list.
-std::vector<PlannedCase> chosen_cases(const VerifyOptions& options, bool on_device) {
+std::vector<PlannedCase> chosen_cases(const VerifyOptions& options,
+                                      const std::vector<CaseCode>& known, bool on_device) {
   std::vector<std::string> names, faults;
-  for (const CaseCode& code : all_cases()) names.push_back(code.name);
+  for (const CaseCode& code : known) names.push_back(code.name);
   for (const std::string& wanted : options.cases) {
     if (std::find(names.begin(), names.end(), wanted) != names.end()) continue;
     const std::string near = did_you_mean(wanted, names);
@@ -35,7 +36,7 @@ std::vector<PlannedCase> chosen_cases(const VerifyOptions& options, bool on_devi
   if (!faults.empty())
     throw UserError(join(faults, "; ") + " (scree verify --list names all cases)");
   std::vector<PlannedCase> cases;
-  for (const CaseCode& code : all_cases()) {
+  for (const CaseCode& code : known) {
     const auto& wanted = options.cases;
     const bool chosen =
         wanted.empty() || std::find(wanted.begin(), wanted.end(), code.name) != wanted.end();
@@ -107,15 +108,17 @@ void print_summary(const std::vector<CaseResult>& results, double seconds,
 
 }  // namespace
 
-int verify_command(const VerifyOptions& options) {
+int verify_command(const VerifyOptions& options) { return verify_cases(options, all_cases()); }
+
+int verify_cases(const VerifyOptions& options, const std::vector<CaseCode>& known) {
   if (options.list) {
-    fmt::print("{}", list_text(all_cases()));
+    fmt::print("{}", list_text(known));
     return 0;
   }
   const BackendChoice backend = choose_backend(options.backend);
   const bool on_device = backend.device != nullptr;
   if (options.backend != "cpu") fmt::print("backend: {}\n", backend_text(backend));
-  const std::vector<PlannedCase> cases = chosen_cases(options, on_device);
+  const std::vector<PlannedCase> cases = chosen_cases(options, known, on_device);
   if (cases.empty()) return 0;
   const std::string standard = options.full ? "runs/verify-full" : "runs/verify";
   ReportFolder folder(options.output.empty() ? standard : options.output);

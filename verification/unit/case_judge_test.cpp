@@ -76,6 +76,16 @@ TEST(CaseJudge, OrderOfTheTwoFinest) {
   EXPECT_FALSE(verdict(two_series({4, 0}, {}), e));
 }
 
+TEST(CaseJudge, OnlyAnAssertedOrderIsWorkedOut) {
+  CaseResult result = two_series({4, 1}, {});
+  result.text.expectations = {expectation(CheckKind::order, {1.9, 2.1}),
+                              expectation(CheckKind::at_most, {4.0})};
+  judge(result);
+  ASSERT_EQ(result.checks.size(), 2u);
+  EXPECT_EQ(result.checks[0].order, 2);
+  EXPECT_FALSE(result.checks[1].order);
+}
+
 TEST(CaseJudge, AgainstAnotherSeries) {
   Expectation e = expectation(CheckKind::at_most_times, {0.5});
   e.than = "b";

@@ -10,6 +10,7 @@
 
 #include "app/build_simulation.hpp"
 #include "app/check_command.hpp"
+#include "materials/registry.hpp"
 #include "solver/particles/shape_volume.hpp"
 #include "verification/support/temporary_folder.hpp"
 #include "verification/unit/broken_deck.hpp"
@@ -66,6 +67,60 @@ TEST(DeckWarnings, ACourantNumberThatFluidsDoNotTake) {
             Texts{"time.cfl = 0.45: with fluids it counts as 0.257, or drops would come apart"});
   EXPECT_EQ(warnings({"time.cfl=0.4"}), Texts());
   EXPECT_EQ(warnings({"time.step=1e-4"}), Texts());
+}
+
+constexpr const char* clay = R"([domain]
+dimension = 2
+lower = [0.0, 0.0]
+upper = [0.4, 0.4]
+cell_size = 0.1
+[time]
+end = 0.001
+[method]
+volumetric_locking = "fbar"
+gravity = [0.0, -10.0]
+[material.clay]
+model = "modified_cam_clay"
+density = 1800
+m = 1.0
+lambda = 0.2
+kappa = 0.04
+poissons_ratio = 0.3
+reference_void_ratio = 2
+initial_pressure = 1e5
+[body.ground]
+material = "clay"
+shape = { type = "box", lower = [0.0, 0.0], upper = [0.4, 0.2] }
+[body.hill]
+material = "clay"
+shape = { type = "box", lower = [0.0, 0.2], upper = [0.4, 0.4] }
+)";
+
+TEST(DeckWarnings, AveragesOfClayThatDilates) {
+  if (find_material_model("modified_cam_clay") == nullptr) GTEST_SKIP() << "left out of this build";
+  const auto warnings = [](const Texts& overrides) {
+    Problems problems;
+    const Deck deck = read_deck_text(clay, "clay.toml", overrides, problems);
+    EXPECT_EQ(problems.text(), "");
+    return deck_warnings(deck, build_setup(deck));
+  };
+  const Texts four{
+      "method.volumetric_locking = \"fbar\" averages all changes of volume of modified_cam_clay: "
+      "the material clay is overconsolidated 4 times, and above 2 clay dilates; leave it off"};
+  EXPECT_EQ(warnings({"material.clay.ocr=4"}), four);  // once for both bodies
+  EXPECT_EQ(warnings({"material.clay.ocr=4", "method.volumetric_locking=\"none\""}), Texts());
+  EXPECT_EQ(warnings({"material.clay.ocr=2"}), Texts());
+  EXPECT_EQ(warnings({"material.clay.preconsolidation_pressure=4e5"}), four);
+  EXPECT_EQ(warnings({"material.clay.preconsolidation_pressure=2e5"}), Texts());
+  // Under an initial stress ocr holds at every place, and a preconsolidation_pressure does not
+  // tell.
+  const auto stressed = [&](const std::string& key) {
+    const std::string stress = "{ type = \"uniform\", value = [-1e5, -1e5, -1e5] }";
+    return warnings(
+        {key, "body.ground.initial_stress=" + stress, "body.hill.initial_stress=" + stress});
+  };
+  EXPECT_EQ(stressed("material.clay.ocr=4"), four);
+  EXPECT_EQ(stressed("material.clay.preconsolidation_pressure=4e5"), Texts());
 }
 
 TEST(Check, SaysWhichCourantNumberFluidsTake) {

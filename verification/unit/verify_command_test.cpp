@@ -24,13 +24,12 @@ struct Outcome {
   std::string out, error;
 };
 
-Outcome scree(std::vector<std::string> words) {
+Outcome scree(std::vector<std::string> words, const VerifyCommand& command = verify_command) {
   std::vector<const char*> arguments{"scree"};
   for (const std::string& word : words) arguments.push_back(word.c_str());
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const int status =
-      scree_main(static_cast<int>(arguments.size()), arguments.data(), verify_command);
+  const int status = scree_main(static_cast<int>(arguments.size()), arguments.data(), command);
   std::fflush(stdout);
   return {status, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
 }
@@ -120,6 +119,44 @@ TEST(VerifyCommand, ARunLeavesItsReportAndIsReplaced) {
   read_deck((folder / "report/decks/contact_gap" / run["deck"].get<std::string>()).string(), {},
             problems);
   EXPECT_TRUE(problems.empty()) << problems.text();
+}
+
+/// The case with one check that no run passes, and one that each does.
+CaseCode impossible(CaseCode code) {
+  code.expect = R"(title = "Gap"
+physics = "two blocks"
+reference = "none"
+[[expect]]
+quantity = "momentum passed on"
+series = "compact"
+at_most = -1
+why = "nothing is below"
+[[expect]]
+quantity = "momentum passed on"
+series = "compact"
+at_least = 0
+why = "all are above"
+)";
+  return code;
+}
+
+TEST(VerifyCommand, AFailedCheckGivesStatus1AndASentence) {
+  if (!has_law("contact_gap")) GTEST_SKIP() << "left out of this build";
+  std::vector<CaseCode> known;
+  for (const CaseCode& code : all_cases()) {
+    if (code.name == "contact_gap") known.push_back(impossible(code));
+  }
+  const TemporaryFolder folder;
+  const auto command = [&](const VerifyOptions& options) { return verify_cases(options, known); };
+  const Outcome outcome =
+      scree({"verify", "-o", (folder / "report").string(), "--threads", "2"}, command);
+  EXPECT_EQ(outcome.status, 1) << outcome.out << outcome.error;
+  EXPECT_NE(outcome.out.find("0 of 1 cases passed"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\ncontact_gap: momentum passed on of compact, "), std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(outcome.out.find("of compact, compact"), std::string::npos) << outcome.out;
+  const auto json = nlohmann::json::parse(read_text(folder / "report/results.json"));
+  EXPECT_EQ(json["verdict"], "failed");
 }
 
 }  // namespace

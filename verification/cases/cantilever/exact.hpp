@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "verification/suite/measured.hpp"
@@ -29,10 +30,14 @@ inline constexpr std::array<std::array<double, 2>, 23> finite_elements{
 struct Case {
   static void measure(const Run& run, Measured& out) {
     const double spacing = run.number("cell") / run.number("ppd");
-    std::vector<double> t, u;
+    std::vector<double> t, u, shown_t, shown_u;
     for (int f = 0; f < static_cast<int>(run.frames.size()); ++f) {
       t.push_back(run.frames[static_cast<std::size_t>(f)].time);
-      u.push_back(corner(run.frame(f), spacing));
+      const std::optional<double> displacement = corner(run.frame(f), spacing);
+      u.push_back(displacement.value_or(0));
+      if (!displacement) continue;
+      shown_t.push_back(t.back());
+      shown_u.push_back(u.back());
     }
     const auto first_half = u.begin() + static_cast<std::ptrdiff_t>(u.size() / 2);
     const auto lowest = std::min_element(u.begin(), first_half);
@@ -49,14 +54,15 @@ struct Case {
     }
     out.value("distance", std::sqrt(sum / static_cast<double>(finite_elements.size())) / 3.28);
     out.figure("Lower free corner", "time (s)", "vertical displacement (m)")
-        .computed(t, u)
+        .computed(shown_t, shown_u)
         .published(px, py, "finite elements");
   }
 
  private:
-  /// Displacement at the corner, by the line through the two particles next to it on the diagonal.
-  static double corner(const ParticleFrame& frame, double spacing) {
-    double u[2] = {0, 0};
+  /// Displacement at the corner, by the line through the two particles next to it on the diagonal;
+  /// nothing where a torn beam has lost one of them.
+  static std::optional<double> corner(const ParticleFrame& frame, double spacing) {
+    std::optional<double> u[2];
     for (std::size_t p = 0; p < frame.size(); ++p) {
       for (int k = 0; k < 2; ++k) {
         const double off = (k + 0.5) * spacing;
@@ -65,7 +71,8 @@ struct Case {
         if (here) u[k] = frame.x(p)[1] - frame.X(p)[1];
       }
     }
-    return 1.5 * u[0] - 0.5 * u[1];
+    if (!u[0] || !u[1]) return std::nullopt;
+    return 1.5 * *u[0] - 0.5 * *u[1];
   }
 
   /// Vertex of the parabola through a largest sample and its neighbours.
