@@ -9,6 +9,15 @@
 // Deviations of the velocity diffuse with the tangent viscosity d tau/d(du/dy) = p I
 // mu'(I)/(du/dy), 0.7 Pa s at 24 deg, a tenth of tau/(du/dy); they decay in 4 rho h^2/(pi^2 0.7 Pa
 // s) = 2 s. The layer starts with 0.95 of the profile, so after twice that 0.7 % are left.
+//
+// Below the angle of friction the layer stops. Where it shears, tau >= mu_s p; where it moves as a
+// whole, tau = mu_s p over the depth is a stress that it may have, and with it the speed
+//   w(t) = max(w(0) - a t, 0),   a = g cos(theta) (mu_s - tan(theta)),
+// solves the equation of motion above a base that is no faster. Viscous flow between p and the rate
+// of shear is monotone, so that two solutions keep their order: a layer whose first speeds are at
+// most w(0) is nowhere faster than w(t), and at rest at w(0)/a. The elastic strain of the stress
+// above the weight's, (mu_s - tan(theta)) p at most, is then set free: the layer swings with speeds
+// up to that stress at the base over the impedance of shear, rho c_s = sqrt(rho G).
 #pragma once
 
 #include <algorithm>
@@ -22,6 +31,15 @@ namespace scree::verify::cases::bagnold_flow {
 
 struct Case {
   static void measure(const Run& run, Measured& out) {
+    if (std::tan(run.number("theta")) < run.number("mu_s")) {
+      measure_stop(run, out);
+    } else {
+      measure_flow(run, out);
+    }
+  }
+
+ private:
+  static void measure_flow(const Run& run, Measured& out) {
     const double h = run.number("depth"), rate = run.number("rate");
     const double weight = run.number("density") * run.number("g") * std::cos(run.number("theta"));
     const auto exact = [&](double y) {
@@ -61,6 +79,46 @@ struct Case {
     out.figure("Pressure", "height above the plane (m)", "pressure (kPa)")
         .particles(y, kilopascals)
         .exact({0, h}, {weight * h / 1e3, 0});
+  }
+
+  /// All speeds in those of the surface at the start.
+  static void measure_stop(const Run& run, Measured& out) {
+    const double theta = run.number("theta"), excess = run.number("mu_s") - std::tan(theta);
+    const double weight = run.number("density") * run.number("g") * std::cos(theta);
+    const double first = run.number("slowed"), a = run.number("g") * std::cos(theta) * excess;
+    const double G = run.number("E") / (2 * (1 + run.number("nu")));
+    const double swing =
+        excess * weight * run.number("depth") / std::sqrt(run.number("density") * G);
+    std::vector<double> t, fastest, bound;
+    double ahead = 0;
+    for (int f = 0; f < static_cast<int>(run.frames.size()); ++f) {
+      const ParticleFrame frame = run.frame(f);
+      const Column velocity = frame.field("velocity");
+      double speed = 0;
+      for (std::size_t p = 0; p < frame.size(); ++p)
+        speed = std::max(speed, std::abs(velocity(p, 0)));
+      t.push_back(frame.time());
+      fastest.push_back(speed / first);
+      bound.push_back(std::max(1 - a * frame.time() / first, 0.0));
+      ahead = std::max(ahead, (speed - swing) / first - bound.back());
+    }
+    out.value("ahead of the bound", ahead);
+    out.value("speed at the end", fastest.back() * first / swing);
+    // After the last time at which it could move: the second half, or less.
+    const auto from = static_cast<std::size_t>(first / a / run.number("end") *
+                                               static_cast<double>(run.history.size() - 1));
+    double sum = 0, count = 0;
+    for (std::size_t i = from + 1; i < run.history.size(); ++i, ++count)
+      sum += run.history[i].momentum[0] / run.history[i].mass;
+    out.value("mean velocity at rest", std::abs(sum / count) / first);
+    // At the start, while all of it flows: momentum that was lost over time and weight.
+    const HistoryRow& early = run.history.at(1);
+    const double lost = (run.history[0].momentum[0] - early.momentum[0]) / early.mass;
+    out.value("friction at the base",
+              std::tan(theta) + lost / (run.number("g") * std::cos(theta) * early.time));
+    out.figure("A layer that stops", "time (s)", "largest speed over the first")
+        .computed(t, fastest)
+        .exact(t, bound);
   }
 };
 
