@@ -2,7 +2,7 @@
 // The particles' part in the step of the pore water.
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <iterator>
 
 #include "solver/coupling/coupled_flow.hpp"
 #include "solver/coupling/load_any.hpp"

@@ -60,8 +60,7 @@ Schema<CouplingSpec> make_coupling_schema() {
       .doc(
           "A step whose pressure solve does not converge is repeated with half its length, so many "
           "times at most; then, with 0 at once, the run ends. Above 0 steps take separate passes "
-          "over "
-          "the particles, which cost some more.");
+          "over the particles, which cost some more.");
   s.number("water_table", &CouplingSpec::water_table, Unit::length)
       .fallback_text("not set")
       .doc(

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 #include <vector>
 
 #include "solver/base/pack.hpp"
@@ -98,21 +96,6 @@ void hats(const double* xi, double (&n)[1 << D]) {
     double product = 1;
     for (int a = 0; a < D; ++a) product *= (k >> (D - 1 - a) & 1) ? xi[a] : 1 - xi[a];
     n[k] = product;
-  }
-}
-
-/// Derivatives of the hats by xi.
-template <int D>
-void hat_slopes(const double* xi, double (&g)[1 << D][D]) {
-  for (int k = 0; k < (1 << D); ++k) {
-    for (int b = 0; b < D; ++b) {
-      double product = 1;
-      for (int a = 0; a < D; ++a) {
-        const bool upper = k >> (D - 1 - a) & 1;
-        product *= a == b ? (upper ? 1.0 : -1.0) : upper ? xi[a] : 1 - xi[a];
-      }
-      g[k][b] = product;
-    }
   }
 }
 
