@@ -7,7 +7,6 @@
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
@@ -17,8 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <filesystem>
 
 #include "postproc/project/active_cells.hpp"
 #include "solver/base/error.hpp"
@@ -60,23 +57,16 @@ void add_arrays(vtkDataSet& data, const Projection& projection, double time,
   data.GetFieldData()->AddArray(time_value);
 }
 
+/// By way of memory: on a full disk VTK's writers of unstructured grids free what they have not
+/// made.
 void write(vtkXMLWriter& writer, vtkDataSet& data, const std::string& path) {
-  const std::filesystem::path temporary = aside(path);
-  writer.SetFileName(temporary.c_str());
+  writer.WriteToOutputStringOn();
   writer.SetInputDataObject(&data);
   writer.SetDataModeToBinary();  // as the frames: readable by every ParaView
   writer.SetCompressorTypeToNone();
   writer.SetHeaderTypeToUInt64();
-  // A failure is told in one sentence of ours, not in pages of VTK's own.
-  vtkObject::GlobalWarningDisplayOff();
-  errno = 0;
-  if (writer.Write() == 0 || writer.GetErrorCode() != 0) {
-    const int error = errno;
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw RunFault(write_failure(path, error));
-  }
-  take_name(temporary, path);
+  if (writer.Write() == 0) throw RunFault(write_failure(path, 0));
+  replace_file(path, writer.GetOutputString());
 }
 
 void write_image(const std::string& path, const Projection& projection, double time) {
