@@ -249,6 +249,8 @@ SimulationSetup build_setup(const Deck& deck) {
     setup.coupling->preconditioner = deck.coupling->preconditioner;
     setup.coupling->solver_options = deck.coupling->solver_options;
     setup.coupling->halvings = deck.coupling->halvings;
+    setup.coupling->stride = deck.coupling->stride;
+    setup.coupling->stride_drift = deck.coupling->stride_drift;
   }
   for (std::size_t b = 0; b < deck.bodies.size(); ++b) add_body(deck, std::int32_t(b), setup);
   setup.keep_reference =

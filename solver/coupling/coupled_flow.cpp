@@ -62,7 +62,7 @@ template <int D>
 void CoupledFlow<D>::start(std::int64_t id, std::int32_t body, double pressure,
                            double volume_ratio) {
   const std::int64_t place = states_.place(id);
-  states_.at(place, PoreRow<D>::pressure) = pressure;
+  states_.at(place, PoreRow<D>::pressure) = states_.at(place, PoreRow<D>::base) = pressure;
   states_.at(place, PoreRow<D>::ratio) = volume_ratio;
   states_.at(place, PoreRow<D>::start_ratio) = volume_ratio;
   start_mass_ += fluid_mass(body, id, volume_ratio);
@@ -132,6 +132,8 @@ void CoupledFlow<D>::assemble(const std::function<void(std::int32_t, FlowPoints<
                               ThreadPool& pool) {
   auto start = Clock::now();
   order_.finish();
+  schur_.clear();
+  folded_ = false;
   cells_.begin(chunks_);
   volume_.begin(loaded_);
   // Bodies one after the other, columns of one colour at a time: each sum has one order.
@@ -175,7 +177,7 @@ template <int D>
 bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool) {
   auto start = Clock::now();
   prepare(step, topology);
-  fold_volume();
+  fold_volume(setup_.halvings > 0 || !step.ends);
   reactions_.assign(step.colliders->size(), Reaction{});
   if (!volume_.load().empty()) push_loads(step, topology, pool);
   time_part(Part::constraints, start);
@@ -185,6 +187,7 @@ bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology,
   time_part(Part::solve, start);
   if (!solved) {
     volume_.unfold();
+    folded_ = false;
     return false;
   }
   volume_.push(matrix_, solution_, constraints_.inverse(), step.dt, velocity_, force_, pool);
@@ -210,27 +213,43 @@ void CoupledFlow<D>::prepare(const FlowStep<D>& step, const Topology<D>& topolog
   }
 }
 
+/// again: it may have to be folded otherwise for the same points.
 template <int D>
-void CoupledFlow<D>::fold_volume() {
-  volume_.keep_unfolded(setup_.halvings > 0);
+void CoupledFlow<D>::fold_volume(bool again) {
+  if (folded_ && constraints_.unchanged()) return;
+  volume_.unfold();
+  volume_.keep_unfolded(again);
   for (const NodeGroup<D>& group : constraints_.groups()) {
     for (std::int32_t m = group.begin + 1; m < group.end; ++m) {
       const auto& ghost = constraints_.members()[std::size_t(m)];
       volume_.fold(group.root, ghost.record, ghost.sign);
     }
   }
+  folded_ = true;
 }
 
 template <int D>
 void CoupledFlow<D>::make_system(const FlowStep<D>& step, ThreadPool& pool) {
-  cells_.add(step.dt, step.gravity, matrix_);
+  add_schur(step, pool);
+  // Within a stride the points' pressures are those of the nodes.
+  cells_.add(step.dt, step.gravity, step.begins ? nullptr : nodal_[0].data(), matrix_);
   surfaces_.add([this](std::int64_t id) { return surface_point(id); },
                 [this](std::int64_t id) { return deformation(id); }, step.end, h_,
                 domain_.cell_size, lattice_, domain_.lower, matrix_);
-  volume_.add(constraints_.inverse(), step.dt / lattices_, velocity_, 1.0 / lattices_, matrix_,
-              pool);
-  add_held(step.dt / lattices_);
+  volume_.subtract_rates(velocity_, 1.0 / lattices_, matrix_, pool);
   finish_matrix(pool);
+}
+
+/// dt/L sum Q^T M^-1 Q, to a matrix of zeros. The sum stays while points and constraints do.
+template <int D>
+void CoupledFlow<D>::add_schur(const FlowStep<D>& step, ThreadPool& pool) {
+  AlignedVector<double>& sums = matrix_.stencils();
+  if (schur_.empty() || !constraints_.unchanged()) {
+    volume_.add(constraints_.inverse(), 1.0 / lattices_, matrix_, pool);
+    add_held(1.0 / lattices_);
+    schur_ = sums;
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = step.dt * schur_[i];
 }
 
 /// Nodes that colliders hold, whose inverse mass is a matrix.

@@ -54,11 +54,16 @@ template <int D>
 struct FlowVector {
   static constexpr int width = PoreStates<D>::width;
   alignas(64) double position[D][width];       ///< cells from the block's lower corner
-  alignas(64) double increment[D * D][width];  ///< dt grad v of the last step
+  alignas(64) double increment[D * D][width];  ///< dt grad v since the last points
+  alignas(64) double growth[width];            ///< relative change of volume since then
   std::int64_t place = 0;                      ///< in PoreStates, of the first lane
   int first = 0;                               ///< number of the first one in the block
   int count = 0;                               ///< the others are padding: finite numbers
 };
+
+/// The growth that follows from the increment.
+template <int D>
+void set_growth(FlowVector<D>& particles);
 
 /// What a step gives to the pressure solve.
 template <int D>
@@ -69,7 +74,10 @@ struct FlowStep {
   GridDecisions<D> decisions;
   const std::vector<Collider>* colliders = nullptr;
   double touch = 0;    ///< see NodeConstraints::find
-  bool record = true;  ///< somebody looks at the seepage of the particles after the step
+  bool record = true;  ///< somebody looks at the water of the particles after the step
+  // Of a stride, whose steps share their points:
+  bool begins = true;  ///< the points are those of this step
+  bool ends = true;    ///< the next step has its own
 };
 
 /// Pore water, two-way coupled: with velocities v* that hold the effective stress and all other
@@ -175,6 +183,7 @@ class CoupledFlow {
   double largest_half(std::size_t body) const;
   double own_ratio(std::int64_t id, double volume_ratio) const;
   double number(std::int64_t id, int row) const { return states_.at(states_.place(id), row); }
+  double stored_volume(std::int64_t id) const;
   void save_nodes(StateWriter& writer) const;
   bool load_nodes(const StateReader& reader);
   bool load_pores(const StateReader& reader);
@@ -183,8 +192,9 @@ class CoupledFlow {
   void assemble_chunk(std::int32_t chunk,
                       const std::function<void(std::int32_t, FlowPoints<D>&)>& fill);
   void keep(const FlowChunk<D>& chunk, const FlowPoints<D>& points);
-  void fold_volume();
+  void fold_volume(bool again);
   void make_system(const FlowStep<D>& step, ThreadPool& pool);
+  void add_schur(const FlowStep<D>& step, ThreadPool& pool);
   void add_held(double factor);
   void finish_matrix(ThreadPool& pool);
   bool solve_system();
@@ -196,6 +206,7 @@ class CoupledFlow {
   std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
   void gather(const FlowStep<D>& step, ThreadPool& pool);
   void gather_run(const FlowStep<D>& step, const FlowChunk<D>& chunk, const FlowRun<D>& run);
+  void settle(const double* pressure, std::int64_t first, int count);
 
   CouplingSetup setup_;
   FlowDomain<D> domain_;
@@ -214,7 +225,10 @@ class CoupledFlow {
   std::vector<FlowChunk<D>> chunks_;
   PointOrder<D> order_;
   KeptPoints<D> points_;
-  bool loaded_ = false;                ///< points may have moments
+  bool loaded_ = false;  ///< points may have moments
+  /// 1/L sum Q^T M^-1 Q in the matrix's stencils; empty: not known for these points.
+  AlignedVector<double> schur_;
+  bool folded_ = false;                ///< volume_, as the constraints have it
   std::vector<std::uint64_t> blocks_;  ///< of the topology that volume_ knows
   std::vector<double> solution_;       ///< by row
   /// By lattice node: pressures of the last steps, the last one first; to start from.

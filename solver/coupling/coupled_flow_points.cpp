@@ -43,6 +43,20 @@ void interpolate(const double (&nodal)[1 << D], const Wide (&hat)[D][2], Wide& v
 }  // namespace
 
 template <int D>
+void set_growth(FlowVector<D>& particles) {
+  Wide f[D][D];
+  for (int a = 0; a < D; ++a) {
+    for (int b = 0; b < D; ++b) {
+      f[a][b] = load<Wide>(particles.increment[a * D + b]) + (a == b ? 1.0 : 0.0);
+    }
+  }
+  store(particles.growth, determinant(f) - 1.0);
+}
+
+template void set_growth(FlowVector<2>&);
+template void set_growth(FlowVector<3>&);
+
+template <int D>
 Mat3<double> CoupledFlow<D>::deformation(std::int64_t id) const {
   Mat3<double> f = identity3<double>();
   for (int i = 0; i < D * D; ++i) {
@@ -60,7 +74,7 @@ void CoupledFlow<D>::fill(const FlowVector<D>& particles, const FlowChunk<D>& ch
   const PoreSetup& pores = *flow.pores;
   using Row = PoreRow<D>;
   auto& state = states_.vector(particles.place).row;
-  Wide c[D][D], f[D][D], trace = broadcast<Wide>(0.0);
+  Wide c[D][D], trace = broadcast<Wide>(0.0);
   for (int a = 0; a < D; ++a) {
     for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(particles.increment[a * D + b]);
     trace = trace + c[a][a];
@@ -78,13 +92,12 @@ void CoupledFlow<D>::fill(const FlowVector<D>& particles, const FlowChunk<D>& ch
       }
       now[a][b] = sum;
       square = mul_add(sum, sum, square);
-      f[a][b] = a == b ? c[a][b] + 1.0 : c[a][b];
     }
     store(value[2 * D + a], side * min(sqrt(square), longest_box));
   }
   const Wide before = scree::load<Wide>(state[Row::ratio]);
   const Wide start = scree::load<Wide>(state[Row::start_ratio]);
-  const Wide ratio = before * determinant(f);
+  const Wide ratio = before * (scree::load<Wide>(particles.growth) + 1.0);
   const Wide porosity = 1.0 - ((1 - pores.porosity) * start) / ratio;
   const Wide storage =
       porosity * (1 / pores.fluid_modulus) + (pores.biot - porosity) * pores.grain_compliance;
@@ -156,14 +169,29 @@ std::optional<SurfacePoint<D>> CoupledFlow<D>::surface_point(std::int64_t id) co
   return point;
 }
 
-/// Pressure and seepage of the particles.
+/// Pressure and seepage of the particles, where the stride ends or somebody looks.
 template <int D>
 void CoupledFlow<D>::gather(const FlowStep<D>& step, ThreadPool& pool) {
+  surfaces_.add_outflow(matrix_, solution_, step.dt, outflow_);
+  if (!step.ends && !step.record) return;
   pool.for_each(std::int64_t(chunks_.size()), [&](std::int64_t c, int) {
     const FlowChunk<D>& chunk = chunks_[std::size_t(c)];
     for (const FlowRun<D>& run : chunk.runs) gather_run(step, chunk, run);
   });
-  surfaces_.add_outflow(matrix_, solution_, step.dt, outflow_);
+}
+
+/// The pressures of the points from `first` on become those that the next ones begin with. What is
+/// only looked at leaves no trace, whenever that may be.
+template <int D>
+void CoupledFlow<D>::settle(const double* pressure, std::int64_t first, int count) {
+  using Row = PoreRow<D>;
+  for (int i = 0; i < count; ++i) {
+    const std::size_t p = std::size_t(first + i);
+    auto& state = states_.vector(points_.place[p]).row;
+    const int lane = int(points_.place[p] % PoreStates<D>::width);
+    state[Row::stored][lane] += points_.capacity[p] * (pressure[i] - state[Row::base][lane]);
+    state[Row::base][lane] = pressure[i];
+  }
 }
 
 template <int D>
@@ -191,12 +219,9 @@ void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowChunk<D>& chu
     alignas(64) double pressure[width];
     store(pressure, value);
     const int count = int(std::min<std::int64_t>(width, end - first));
+    if (step.ends) settle(pressure, first, count);
     for (int i = 0; i < count; ++i) {
-      const std::size_t p = std::size_t(first + i);
-      auto& state = states_.vector(points_.place[p]).row;
-      const int lane = int(points_.place[p] % width);
-      state[Row::stored][lane] += points_.capacity[p] * (pressure[i] - state[Row::pressure][lane]);
-      state[Row::pressure][lane] = pressure[i];
+      states_.at(points_.place[std::size_t(first + i)], Row::pressure) = pressure[i];
     }
     if (!step.record) continue;
     const Wide mobility = load_any<Wide>(points_.mobility.data() + first);

@@ -38,8 +38,17 @@ double CoupledFlow<D>::fluid_mass(std::int32_t body, std::int64_t id, double vol
   const double start = number(id, PoreRow<D>::start_ratio);
   const double change = flow.pores->biot * (own_ratio(id, volume_ratio) - start);
   return flow.pores->fluid_density *
-         (flow.particle_volume * (start * flow.pores->porosity + change) +
-          number(id, PoreRow<D>::stored));
+         (flow.particle_volume * (start * flow.pores->porosity + change) + stored_volume(id));
+}
+
+/// Volume that compression has made room for up to the particle's latest pressure.
+template <int D>
+double CoupledFlow<D>::stored_volume(std::int64_t id) const {
+  const double stored = number(id, PoreRow<D>::stored);
+  const double change = number(id, PoreRow<D>::pressure) - number(id, PoreRow<D>::base);
+  if (change == 0) return stored;
+  const std::size_t point = std::size_t(point_of_[std::size_t(states_.place(id))]);
+  return stored + points_.capacity[point] * change;
 }
 
 template <int D>
@@ -96,8 +105,8 @@ GridSnapshot CoupledFlow<D>::grid() const {
 
 template <int D>
 std::int64_t CoupledFlow<D>::bytes() const {
-  const std::size_t numbers =
-      solution_.capacity() + 3 * nodal_[0].capacity() + force_.capacity() + D * D * own_.capacity();
+  const std::size_t numbers = schur_.capacity() + solution_.capacity() + 3 * nodal_[0].capacity() +
+                              force_.capacity() + D * D * own_.capacity();
   return std::int64_t(8 * numbers + 4 * point_of_.capacity()) + states_.bytes() + points_.bytes() +
          order_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
 }
@@ -111,11 +120,12 @@ struct PoreArray {
 };
 
 template <int D>
-constexpr std::array<PoreArray, 6> pore_arrays = {
+constexpr std::array<PoreArray, 7> pore_arrays = {
     PoreArray{"coupling/pressure", PoreRow<D>::pressure, 1},
     PoreArray{"coupling/volume_ratio", PoreRow<D>::ratio, 1},
     PoreArray{"coupling/start_ratio", PoreRow<D>::start_ratio, 1},
     PoreArray{"coupling/stored", PoreRow<D>::stored, 1},
+    PoreArray{"coupling/base_pressure", PoreRow<D>::base, 1},
     PoreArray{"coupling/seepage", PoreRow<D>::seepage, D},
     PoreArray{"coupling/deformation", PoreRow<D>::deformation, D* D}};
 

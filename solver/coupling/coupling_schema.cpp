@@ -61,6 +61,21 @@ Schema<CouplingSpec> make_coupling_schema() {
           "A step whose pressure solve does not converge is repeated with half its length, so many "
           "times at most; then, with 0 at once, the run ends. Above 0 steps take separate passes "
           "over the particles, which cost some more.");
+  s.integer("stride", &CouplingSpec::stride)
+      .at_least(1)
+      .at_most(1000)
+      .fallback(32)
+      .doc(
+          "Steps in which particles may act on the grid from one place, so that the equations of "
+          "the pressure need not be made anew; 1: they are in every step. Runs that take separate "
+          "passes over the particles make them anew in every step whatever is given.");
+  s.number("stride_drift", &CouplingSpec::stride_drift)
+      .at_least(0)
+      .at_most(0.05)
+      .fallback(0.005)
+      .doc(
+          "Cells by which a particle may move meanwhile: before one is farther, all act from where "
+          "they are by then.");
   s.number("water_table", &CouplingSpec::water_table, Unit::length)
       .fallback_text("not set")
       .doc(

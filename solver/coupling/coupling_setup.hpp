@@ -69,6 +69,10 @@ struct CouplingSetup {
   std::string solver_options;  ///< PETSc options with the prefix scree_p_
   /// How often a step whose solve does not converge is halved before the run ends.
   int halvings = 0;
+  /// Fused path: steps that particles may act on the grid from one place, and how far they may move
+  /// meanwhile [cells].
+  int stride = 32;
+  double stride_drift = 0.005;
   std::vector<DrainageSetup> drainage;
 };
 

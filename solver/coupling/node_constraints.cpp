@@ -19,6 +19,12 @@ std::int8_t sign_along(FaceType type, NoSlip no_slip, char state) {
 
 }  // namespace
 
+/// Masses, folds and damping are those of the last find().
+template <int D>
+bool NodeConstraints<D>::same_nodes(const GridDecisions<D>& grid) const {
+  return grid.keep == known_.keep && mass_ == known_.mass && *grid.folded == known_.folded;
+}
+
 template <int D>
 void NodeConstraints<D>::follow_folds(const GridDecisions<D>& grid) {
   link_.assign(mass_.size(), Link{});

@@ -52,6 +52,8 @@ class NodeConstraints {
   template <class Position>
   void find(const GridDecisions<D>& grid, const std::vector<double>& velocity,
             const std::vector<Collider>& colliders, Position&& position, double touch);
+  /// Whether the last find() found what the one before it had found. (Colliders move: never.)
+  bool unchanged() const { return unchanged_; }
 
   const std::vector<InverseMass<D>>& inverse() const { return inverse_; }
   const std::vector<NodeGroup<D>>& groups() const { return groups_; }
@@ -60,6 +62,7 @@ class NodeConstraints {
 
  private:
   using Signs = std::array<std::int8_t, D>;
+  bool same_nodes(const GridDecisions<D>& grid) const;
   void follow_folds(const GridDecisions<D>& grid);
   void hold_walls(const GridDecisions<D>& grid, const std::vector<double>& velocity);
   std::int64_t root_of(std::int64_t record, Signs& sign) const;
@@ -73,7 +76,16 @@ class NodeConstraints {
     std::int8_t axis = 0;
     std::int8_t across = 1, along = 1;  ///< factors of the velocity it follows
   };
+  /// What the last find() but for its velocities found from.
+  struct Known {
+    std::vector<double> mass;
+    std::array<std::vector<char>, D> folded;
+    double keep = 0;
+    std::vector<char> held;
+  };
   std::vector<double> mass_;  ///< before folding
+  Known known_;
+  bool unchanged_ = false;
   std::vector<InverseMass<D>> inverse_;
   std::vector<Link> link_;     ///< by record; to < 0: not folded
   std::vector<char> held_;     ///< by record: bit a: axis a is held
@@ -87,8 +99,12 @@ template <class Position>
 void NodeConstraints<D>::find(const GridDecisions<D>& grid, const std::vector<double>& velocity,
                               const std::vector<Collider>& colliders, Position&& position,
                               double touch) {
-  follow_folds(grid);
+  const bool same = same_nodes(grid);
+  if (!same) follow_folds(grid);
   hold_walls(grid, velocity);
+  unchanged_ = same && held_ == known_.held && colliders.empty();
+  if (unchanged_) return;
+  known_ = {mass_, *grid.folded, grid.keep, held_};
   make_groups(grid);
   if (colliders.empty()) return;
   std::vector<NodeGroup<D>> touched;

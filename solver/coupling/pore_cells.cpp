@@ -304,8 +304,42 @@ void PoreCells<D>::add_flow(const FlowPoints<D>& points, std::size_t point,
   }
 }
 
+/// S of corners j and l.
 template <int D>
-void PoreCells<D>::add(double dt, const std::array<double, 3>& gravity,
+double PoreCells<D>::storage(const Cell& cell, int j, int l) {
+  int product[D];
+  for (int a = 0; a < D; ++a) product[a] = (j >> (D - 1 - a) & 1) + (l >> (D - 1 - a) & 1);
+  return D == 2 ? cell.storage[product[0]][product[1]]
+                : cell.storage[3 * product[0] + product[1]][product[D - 1]];
+}
+
+/// H of corners j and l.
+template <int D>
+double PoreCells<D>::conductance(const Cell& cell, int j, int l) {
+  int product[D];
+  for (int a = 0; a < D; ++a) product[a] = (j >> (D - 1 - a) & 1) + (l >> (D - 1 - a) & 1);
+  double value = 0;
+  for (int a = 0; a < D; ++a) {
+    const double sign = product[a] == 1 ? -1.0 : 1.0;
+    const int line = D == 2 ? 0 : product[a == 0 ? 1 : 0];
+    value += sign * cell.flow[a][line][product[a == D - 1 ? D - 2 : D - 1]];
+  }
+  return value;
+}
+
+/// S p of corner j, less the defect.
+template <int D>
+double PoreCells<D>::content(const Cell& cell, int j, const double* nodal) const {
+  if (nodal == nullptr) return cell.content[j];
+  double sum = 0;
+  for (int l = 0; l < corners; ++l) {
+    sum += storage(cell, j, l) * nodal[lattice_.index(corner<D>(cell.lower, l))];
+  }
+  return sum;
+}
+
+template <int D>
+void PoreCells<D>::add(double dt, const std::array<double, 3>& gravity, const double* nodal,
                        PressureMatrix<D>& matrix) const {
   const double per_dt = 1 / dt;
   int offset[corners][corners];
@@ -318,22 +352,13 @@ void PoreCells<D>::add(double dt, const std::array<double, 3>& gravity,
     std::int32_t row[corners];
     for (int j = 0; j < corners; ++j) {
       row[j] = matrix.row(corner<D>(cell.lower, j));
-      double source = per_dt * cell.content[j];
+      double source = per_dt * content(cell, j, nodal);
       for (int a = 0; a < D; ++a) source += gravity[std::size_t(a)] * cell.weight[a][j];
       matrix.rhs()[std::size_t(row[j])] += source;
     }
     for (int j = 0; j < corners; ++j) {
       for (int l = j; l < corners; ++l) {
-        int product[D];
-        for (int a = 0; a < D; ++a) product[a] = (j >> (D - 1 - a) & 1) + (l >> (D - 1 - a) & 1);
-        double value =
-            per_dt * (D == 2 ? cell.storage[product[0]][product[1]]
-                             : cell.storage[3 * product[0] + product[1]][product[D - 1]]);
-        for (int a = 0; a < D; ++a) {
-          const double sign = product[a] == 1 ? -1.0 : 1.0;
-          const int line = D == 2 ? 0 : product[a == 0 ? 1 : 0];
-          value += sign * cell.flow[a][line][product[a == D - 1 ? D - 2 : D - 1]];
-        }
+        const double value = per_dt * storage(cell, j, l) + conductance(cell, j, l);
         matrix.add(row[j], offset[j][l], value);
       }
     }

@@ -55,8 +55,10 @@ class PoreCells {
   void add(const FlowPoints<D>& points, const FlowChunk<D>& chunk, const Measures& m,
            double density);
 
-  /// matrix += S/dt + H; rhs += S p/dt - defect/dt + weight of the water.
-  void add(double dt, const std::array<double, 3>& gravity, PressureMatrix<D>& matrix) const;
+  /// matrix += S/dt + H; rhs += S p/dt - defect/dt + weight of the water. p: of the points; where
+  /// `nodal` is not null, by lattice node instead, and there is no defect.
+  void add(double dt, const std::array<double, 3>& gravity, const double* nodal,
+           PressureMatrix<D>& matrix) const;
 
   std::int64_t bytes() const;
 
@@ -79,6 +81,9 @@ class PoreCells {
     PoreAxis axis[D];
   };
 
+  static double storage(const Cell& cell, int j, int l);
+  static double conductance(const Cell& cell, int j, int l);
+  double content(const Cell& cell, int j, const double* nodal) const;
   Surroundings surroundings(const PressureNode<D>& home) const;
   static bool near_wall(const Surroundings& around, double largest_half);
   void add_run(const FlowPoints<D>& points, const FlowRun<D>& run, const Measures& m,

@@ -17,9 +17,11 @@ struct PoreRow {
   static constexpr int deformation = 0;          ///< D*D: F since t = 0
   static constexpr int ratio = D * D;            ///< J of the points of the last step
   static constexpr int start_ratio = ratio + 1;  ///< J at t = 0
-  static constexpr int pressure = ratio + 2;     ///< [Pa]
-  static constexpr int stored = ratio + 3;       ///< volume that compression made room for [m^3]
-  static constexpr int seepage = ratio + 4;      ///< D [m/s]
+  static constexpr int pressure = ratio + 2;     ///< [Pa], the latest one looked at
+  static constexpr int stored =
+      ratio + 3;                          ///< volume that compression made room for [m^3], at base
+  static constexpr int base = ratio + 4;  ///< pressure [Pa] at the start of the stride
+  static constexpr int seepage = ratio + 5;  ///< D [m/s]
   static constexpr int count = seepage + D;
 };
 
@@ -87,7 +89,7 @@ class PoreStates {
   /// The same of what a pressure changes.
   void prefetch_pressure(std::int64_t place) const {
     const auto& row = vector(place).row;
-    for (const int k : {Row::pressure, Row::stored}) __builtin_prefetch(row[k], 1);
+    for (const int k : {Row::pressure, Row::stored, Row::base}) __builtin_prefetch(row[k], 1);
   }
   double& at(std::int64_t place, int row) { return vector(place).row[row][place % width]; }
   double at(std::int64_t place, int row) const { return vector(place).row[row][place % width]; }

@@ -58,6 +58,8 @@ class PressureMatrix {
     return half_.data() + std::size_t(r) * std::size_t(centre_ + 1);
   }
   int centre() const { return centre_; }
+  /// The stencils of all rows.
+  AlignedVector<double>& stencils() { return half_; }
 
   /// Fills values().
   void finish();

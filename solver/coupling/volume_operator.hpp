@@ -62,11 +62,12 @@ class VolumeOperator {
   /// Undoes all folds.
   void unfold();
 
-  /// matrix += schur * sum over nodes of Q_i^T M_i^-1 Q_i, without the nodes in other hands;
-  /// right-hand side -= rate * Q^T v; velocity: D entries a node.
-  void add(const std::vector<InverseMass<D>>& inverse, double schur,
-           const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
+  /// matrix += schur * sum over nodes of Q_i^T M_i^-1 Q_i, without the nodes in other hands.
+  void add(const std::vector<InverseMass<D>>& inverse, double schur, PressureMatrix<D>& matrix,
            ThreadPool& pool) const;
+  /// The matrix's right-hand side -= rate * Q^T v; velocity: D entries a node.
+  void subtract_rates(const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
+                      ThreadPool& pool) const;
 
   /// force = Q p; velocity += dt M^-1 Q p but for nodes in other hands; D entries a node.
   void push(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
@@ -104,8 +105,10 @@ class VolumeOperator {
   // volume_products.cpp
   template <int N>
   void add_groups(const std::vector<InverseMass<D>>& inverse, double schur,
-                  const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
-                  ThreadPool& pool) const;
+                  PressureMatrix<D>& matrix, ThreadPool& pool) const;
+  template <int N>
+  void subtract_group(std::size_t group, const std::vector<double>& velocity, double rate,
+                      PressureMatrix<D>& matrix) const;
   template <int N>
   void push_group(std::size_t group, const double* pressure, const InverseMass<D>* inverse,
                   double dt, double* velocity, double* force) const;

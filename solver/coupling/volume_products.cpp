@@ -104,40 +104,28 @@ template <int D>
 template <int N>
 // NOLINTNEXTLINE(readability-function-size): a kernel's body
 void VolumeOperator<D>::add_groups(const std::vector<InverseMass<D>>& inverse, double schur,
-                                   const std::vector<double>& velocity, double rate,
                                    PressureMatrix<D>& matrix, ThreadPool& pool) const {
   constexpr int most = D * 2 * power(2, D);  // two lattices, two nodes an axis
   const std::vector<HatRun> runs = hat_runs(*this, matrix);
   const auto add_group = [&](std::size_t group) {
     Rows<N, most> rows;
-    alignas(64) double sums[N * N], rates[N] = {};
-    bool moves = false;
+    alignas(64) double sums[N * N];
     for (int s = 0; s < slots_; ++s) {
       const std::size_t place = group * std::size_t(slots_) + std::size_t(s);
       if (empty_[place] != 0) continue;
-      const std::size_t record = std::size_t(record_[place]);
-      const InverseMass<D>& m = inverse[record];
+      const InverseMass<D>& m = inverse[std::size_t(record_[place])];
       for (std::size_t a = 0; a < D; ++a) {
-        const double* q = q_.data() + (place * D + a) * N;
-        const double v = velocity[record * D + a];
-        if (v != 0) {
-          moves = true;
-          for (int j = 0; j < N; ++j) rates[j] += q[j] * v;
-        }
         const double scale = schur * m[a];
         if (m[0] < 0 || scale == 0) continue;
+        const double* q = q_.data() + (place * D + a) * N;
         const double root = std::sqrt(scale);
         double* row = rows.row + rows.count++ * N;
         for (int j = 0; j < N; ++j) row[j] = root * q[j];
       }
     }
-    if (rows.count == 0 && !moves) return;
+    if (rows.count == 0) return;
     std::int32_t number[N];
     group_rows(group, matrix, number);
-    for (int j = 0; j < hats_; ++j) {
-      if (number[j] >= 0) matrix.rhs()[std::size_t(number[j])] -= rate * rates[j];
-    }
-    if (rows.count == 0) return;
     outer_products<N, most>(rows, sums);
     for (const HatRun& run : runs) {
       if (number[run.row] < 0) continue;
@@ -153,14 +141,58 @@ void VolumeOperator<D>::add_groups(const std::vector<InverseMass<D>>& inverse, d
 
 template <int D>
 void VolumeOperator<D>::add(const std::vector<InverseMass<D>>& inverse, double schur,
-                            const std::vector<double>& velocity, double rate,
                             PressureMatrix<D>& matrix, ThreadPool& pool) const {
   constexpr int narrow = (power(3, D) + 3) / 4 * 4, wide = power(4, D);
   if (width_ == 3) {
-    add_groups<narrow>(inverse, schur, velocity, rate, matrix, pool);
+    add_groups<narrow>(inverse, schur, matrix, pool);
   } else {
-    add_groups<wide>(inverse, schur, velocity, rate, matrix, pool);
+    add_groups<wide>(inverse, schur, matrix, pool);
   }
+}
+
+template <int D>
+template <int N>
+void VolumeOperator<D>::subtract_group(std::size_t group, const std::vector<double>& velocity,
+                                       double rate, PressureMatrix<D>& matrix) const {
+  Quad rates[N / 4];
+  for (Quad& r : rates) r = broadcast<Quad>(0.0);
+  bool moves = false;
+  for (int s = 0; s < slots_; ++s) {
+    const std::size_t place = group * std::size_t(slots_) + std::size_t(s);
+    if (empty_[place] != 0) continue;
+    const double* v = velocity.data() + std::size_t(record_[place]) * D;
+    for (std::size_t a = 0; a < D; ++a) {
+      if (v[a] == 0) continue;
+      moves = true;
+      const double* q = q_.data() + (place * D + a) * N;
+      const Quad speed = broadcast<Quad>(v[a]);
+      SCREE_UNROLL for (int j = 0; j < N / 4; ++j) {
+        rates[j] = mul_add(scree::load<Quad>(q + 4 * j), speed, rates[j]);
+      }
+    }
+  }
+  if (!moves) return;
+  std::int32_t number[N];
+  group_rows(group, matrix, number);
+  for (int j = 0; j < hats_; ++j) {
+    if (number[j] < 0) continue;
+    matrix.rhs()[std::size_t(number[j])] -= rate * lane(rates[j / 4], j % 4);
+  }
+}
+
+template <int D>
+void VolumeOperator<D>::subtract_rates(const std::vector<double>& velocity, double rate,
+                                       PressureMatrix<D>& matrix, ThreadPool& pool) const {
+  constexpr int narrow = (power(3, D) + 3) / 4 * 4, wide = power(4, D);
+  each_pencil(pool, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t group = begin; group < end; ++group) {
+      if (width_ == 3) {
+        subtract_group<narrow>(group, velocity, rate, matrix);
+      } else {
+        subtract_group<wide>(group, velocity, rate, matrix);
+      }
+    }
+  });
 }
 
 template <int D>

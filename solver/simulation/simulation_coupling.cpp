@@ -36,6 +36,7 @@ void SimulationImpl<D, T>::make_flow() {
     bodies.push_back(
         {setup_.bodies[b].pores, setup_.bodies[b].particle_volume, bodies_[b].first_id});
   }
+  if (fused_) stride_ = Stride(setup_.coupling->stride, setup_.coupling->stride_drift);
   flow_ = std::make_unique<CoupledFlow<D>>(std::move(*setup_.coupling), domain, std::move(bodies),
                                            particle_count());
   setup_.coupling.emplace();  // still says that there is coupling
@@ -101,8 +102,7 @@ void SimulationImpl<D, T>::note_masses() {
   const AlignedVector<T>& nodes = backend_->momenta();
   std::vector<double>& mass = flow_->constraints().masses();
   mass.resize(nodes.size() / node_values);
-  for (std::size_t r = 0; r < mass.size(); ++r)
-    mass[r] = double(nodes[r * node_values + mass_slot]);
+  each_node([&](std::size_t r) { mass[r] = double(nodes[r * node_values + mass_slot]); });
   backend_->updated_grid().update->move_periodic(mass);
 }
 
@@ -129,9 +129,10 @@ auto SimulationImpl<D, T>::list_flow_chunks() -> std::vector<const FlowBlock*> {
   return blocks;
 }
 
-/// The particles with water: first where they are, then all that hangs on it.
+/// The particles with water: first where they are, then all that hangs on it. follow: the pores go
+/// through what has happened since the last points.
 template <int D, class T>
-void SimulationImpl<D, T>::collect_flow_points() {
+void SimulationImpl<D, T>::collect_flow_points(bool follow) {
   const std::vector<const FlowBlock*> blocks = list_flow_chunks();
   flow_->begin_points(external_ && external_->has_tractions());
   executor_.pool().for_each(std::int64_t(blocks.size()), [&](std::int64_t c, int) {
@@ -139,7 +140,7 @@ void SimulationImpl<D, T>::collect_flow_points() {
   });
   flow_->assemble(
       [&](std::int32_t c, FlowPoints<D>& points) {
-        fill_chunk(flow_->chunks()[std::size_t(c)], *blocks[std::size_t(c)], points);
+        fill_chunk(flow_->chunks()[std::size_t(c)], *blocks[std::size_t(c)], follow, points);
       },
       executor_.pool());
 }
@@ -196,11 +197,11 @@ void SimulationImpl<D, T>::order_chunk(FlowChunk<D>& chunk, const FlowBlock& blo
 
 template <int D, class T>
 void SimulationImpl<D, T>::fill_chunk(const FlowChunk<D>& chunk, const FlowBlock& block,
-                                      FlowPoints<D>& points) {
+                                      bool follow, FlowPoints<D>& points) {
   constexpr int width = ParticleStore<D, T>::width;
   const ParticleStore<D, T>& store = bodies_[std::size_t(chunk.body)].body->store();
   const std::int64_t first_place = flow_->states().first_place(chunk.body);
-  FlowVector<D> vector;
+  FlowVector<D> vector{};
   for (vector.first = 0; vector.first < block.count; vector.first += vector.width) {
     constexpr int ahead = 4 * vector.width;
     if (vector.first + ahead < block.count) {
@@ -213,16 +214,31 @@ void SimulationImpl<D, T>::fill_chunk(const FlowChunk<D>& chunk, const FlowBlock
     load_positions(store, block, vector);
     const std::int32_t b = block.batches[std::size_t(vector.first / width)];
     const int lane = vector.first % width;
-    const T* aux = store.aux_batch(b) + layout_.increment * width + lane;
-    for (int k = 0; k < D * D; ++k) widen(aux + k * width, vector.increment[k]);
     vector.place = first_place + std::int64_t(b) * width + lane;
-    for (int i = 0; i < vector.count && flow_->keeps_increments(); ++i) {
-      const auto& increment = flow_->increment(store.ids(b)[lane + i]);
-      for (std::size_t k = 0; k < D * D; ++k) vector.increment[k][i] = increment[k];
-    }
+    if (follow) load_changes(store, block, vector);
     flow_->fill(vector, chunk, points);
   }
   if (!points.moments.empty()) set_moments(chunk, points);
+}
+
+/// What has happened to the particles since the last points.
+template <int D, class T>
+void SimulationImpl<D, T>::load_changes(const ParticleStore<D, T>& store, const FlowBlock& block,
+                                        FlowVector<D>& vector) const {
+  constexpr int width = ParticleStore<D, T>::width;
+  const std::int32_t b = block.batches[std::size_t(vector.first / width)];
+  const int lane = vector.first % width;
+  const T* aux = store.aux_batch(b) + lane;
+  for (int k = 0; k < D * D; ++k) widen(aux + (layout_.increment + k) * width, vector.increment[k]);
+  if (strides()) {
+    widen(aux + layout_.growth * width, vector.growth);
+    return;
+  }
+  for (int i = 0; i < vector.count && flow_->keeps_increments(); ++i) {
+    const auto& increment = flow_->increment(store.ids(b)[lane + i]);
+    for (std::size_t k = 0; k < D * D; ++k) vector.increment[k][i] = increment[k];
+  }
+  set_growth(vector);
 }
 
 /// A traction acts on its face, not on the particle: beside the force that the particle scatters,
@@ -251,7 +267,7 @@ void SimulationImpl<D, T>::collect_flow() {
   const auto start = std::chrono::steady_clock::now();
   backend_->give_particles();
   flow_->follow(backend_->grid().topology());
-  collect_flow_points();
+  collect_flow_points(true);
   time_phase(Phase::pressure, start);
 }
 
@@ -262,13 +278,12 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   if (!flow_) return true;
   const auto start = std::chrono::steady_clock::now();
   const UpdatedGrid<D, T> grid = backend_->updated_grid();
-  AlignedVector<T>& nodes = *grid.velocities;
-  const std::size_t records = nodes.size() / node_values;
+  const AlignedVector<T>& nodes = *grid.velocities;
   std::vector<double>& velocity = flow_->velocity();
-  velocity.resize(records * D);
-  for (std::size_t r = 0; r < records; ++r) {
+  velocity.resize(nodes.size() / node_values * D);
+  each_node([&](std::size_t r) {
     for (std::size_t a = 0; a < D; ++a) velocity[r * D + a] = double(nodes[r * node_values + a]);
-  }
+  });
   FlowStep<D> step;
   step.dt = clock_.dt;
   step.end = clock_.next_time;
@@ -281,22 +296,51 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   step.colliders = &colliders_;
   step.touch = 64 * double(std::numeric_limits<T>::epsilon());
   step.record = setup_.record && setup_.schedule.record_due(step.end);
+  step.begins = stride_.begins();
+  step.ends = stride_.ends();
   if (!flow_->solve(step, backend_->grid().topology(), executor_.pool())) {
     time_phase(Phase::pressure, start);
     if (halvings < flow_->most_halvings()) return false;
     throw RunFault(flow_->failure(step.end, halvings));
   }
-  for (std::size_t r = 0; r < records; ++r) {
-    for (std::size_t a = 0; a < D; ++a) {
-      T& v = nodes[r * node_values + a];
-      const T changed = T(velocity[r * D + a]);
-      if (separate_) (*grid.changes)[r * node_values + a] += changed - v;
-      v = changed;
-    }
-  }
+  change_velocities();
   grid.update->add_reactions(flow_->reactions());
   time_phase(Phase::pressure, start);
   return true;
+}
+
+/// The velocities under the pressure, and what they do to the nodes within a stride.
+template <int D, class T>
+void SimulationImpl<D, T>::change_velocities() {
+  const UpdatedGrid<D, T> grid = backend_->updated_grid();
+  AlignedVector<T>& nodes = *grid.velocities;
+  AlignedVector<T>& changes = *grid.changes;
+  const std::vector<double>& velocity = flow_->velocity();
+  const bool moves = strides() && !(stride_.begins() && stride_.ends());
+  if (moves && stride_.begins()) changes.assign(nodes.size(), T(0));
+  each_node([&](std::size_t r) {
+    for (std::size_t a = 0; a < D; ++a) {
+      T& v = nodes[r * node_values + a];
+      const T changed = T(velocity[r * D + a]);
+      if (separate_) changes[r * node_values + a] += changed - v;
+      if (moves) changes[r * node_values + a] += T(clock_.dt) * changed;
+      v = changed;
+    }
+  });
+}
+
+/// Calls f(record) for all nodes, block by block on any thread.
+template <int D, class T>
+template <class F>
+void SimulationImpl<D, T>::each_node(F&& f) const {
+  const std::size_t count = backend_->grid().block_values() / node_values;
+  executor_.pool().for_each(
+      backend_->grid().topology().size(),
+      [&](std::int64_t block, int) {
+        const std::size_t begin = std::size_t(block) * count;
+        for (std::size_t r = begin; r < begin + count; ++r) f(r);
+      },
+      16);
 }
 
 /// Before the pressures nothing of the step has reached particles or water: it begins again.

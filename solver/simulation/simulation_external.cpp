@@ -140,13 +140,17 @@ void SimulationImpl<D, T>::update_loads_alone() {
   backend_->write_loaded();
 }
 
-/// The same force for a fused step, which scatters those of the next one.
+/// For a fused stride, which makes a force of it in every step.
 template <int D, class T>
-void SimulationImpl<D, T>::weigh_gained_water(const PlannedStep& next) {
-  if (layout_.external < 0) return;
+void SimulationImpl<D, T>::weigh_gained_water() {
+  if (layout_.gained < 0) return;
   const auto start = std::chrono::steady_clock::now();
-  add_gained_weight(gravity_of(clock_.next_time, next.dt));
-  backend_->take_aux(layout_.external, D);
+  each_gain([&](T* aux, const double* share) {
+    constexpr int width = ParticleStore<D, T>::width, lanes = PoreStates<D>::width;
+    T* gained = aux + layout_.gained * width;
+    for (int i = 0; i < lanes; ++i) gained[i] = T(share[i]);
+  });
+  backend_->take_aux(layout_.gained, 1);
   time_phase(Phase::external, start);
 }
 
@@ -155,6 +159,23 @@ void SimulationImpl<D, T>::weigh_gained_water(const PlannedStep& next) {
 template <int D, class T>
 void SimulationImpl<D, T>::add_gained_weight(const std::array<double, 3>& gravity) {
   if (!flow_ || !setup_.gravity) return;
+  each_gain([&](T* aux, const double* share) {
+    constexpr int width = ParticleStore<D, T>::width, lanes = PoreStates<D>::width;
+    T* force = aux + layout_.external * width;
+    for (int a = 0; a < D; ++a) {
+      for (int i = 0; i < lanes; ++i) {
+        const double load = external_ ? double(force[a * width + i]) : 0.0;
+        force[a * width + i] = T(load + share[i] * gravity[std::size_t(a)]);
+      }
+    }
+  });
+}
+
+/// Calls f(aux, share) for each vector of particles: the first of its aux fields, and the mass of
+/// gained water over the mass of the particle. Any thread, once a vector.
+template <int D, class T>
+template <class F>
+void SimulationImpl<D, T>::each_gain(F&& f) {
   constexpr int width = ParticleStore<D, T>::width, lanes = PoreStates<D>::width;
   for (State& state : bodies_) {
     const BodyInfo& info = state.body->info();
@@ -177,13 +198,7 @@ void SimulationImpl<D, T>::add_gained_weight(const std::array<double, 3>& gravit
           }
           scree::store(share, flow_->gained_mass(info.body_index, place) * per_mass);
         }
-        T* force = store.aux_batch(b) + layout_.external * width + lane;
-        for (int a = 0; a < D; ++a) {
-          for (int i = 0; i < lanes; ++i) {
-            const double load = external_ ? double(force[a * width + i]) : 0.0;
-            force[a * width + i] = T(load + share[i] * gravity[std::size_t(a)]);
-          }
-        }
+        f(store.aux_batch(b) + lane, static_cast<const double*>(share));
       }
     });
   }

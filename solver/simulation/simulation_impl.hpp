@@ -13,6 +13,7 @@
 #include "solver/simulation/simulation.hpp"
 #include "solver/simulation/simulation_on_device.hpp"
 #include "solver/simulation/step_clock.hpp"
+#include "solver/simulation/stride.hpp"
 #include "solver/step/body.hpp"
 #include "solver/step/volume_fields.hpp"
 
@@ -93,7 +94,9 @@ class SimulationImpl final : public Simulation {
   void update_external();
   void update_loads_alone();
   void update_loads();
-  void weigh_gained_water(const PlannedStep& next);
+  void weigh_gained_water();
+  template <class F>
+  void each_gain(F&& f);
   void add_gained_weight(const std::array<double, 3>& gravity);
   double external_power() const;
   double external_work(double power_at_end) const;
@@ -118,17 +121,28 @@ class SimulationImpl final : public Simulation {
   void note_masses();
   void collect_flow();
   bool couple_flow(int halvings);
+  bool strides() const { return layout_.growth >= 0; }
+  void change_velocities();
+  template <class F>
+  void each_node(F&& f) const;
   void halve_step();
   using FlowBlock = typename ParticleStore<D, T>::Block;
   std::vector<const FlowBlock*> list_flow_chunks();
-  void collect_flow_points();
+  void collect_flow_points(bool follow);
   void load_positions(const ParticleStore<D, T>& store, const FlowBlock& block,
                       FlowVector<D>& vector) const;
   static void widen(const T* from, double* to);
   static void fetch(const T* pool, int first, int fields);
   void order_chunk(FlowChunk<D>& chunk, const FlowBlock& block);
-  void fill_chunk(const FlowChunk<D>& chunk, const FlowBlock& block, FlowPoints<D>& points);
+  void fill_chunk(const FlowChunk<D>& chunk, const FlowBlock& block, bool follow,
+                  FlowPoints<D>& points);
+  void load_changes(const ParticleStore<D, T>& store, const FlowBlock& block,
+                    FlowVector<D>& vector) const;
   void set_moments(const FlowChunk<D>& chunk, FlowPoints<D>& points) const;
+
+  // simulation_state.cpp
+  void save_stride(StateWriter& writer) const;
+  void load_stride(const StateReader& reader);
 
   // simulation_clock.cpp
   double stable_dt() const;
@@ -170,6 +184,7 @@ class SimulationImpl final : public Simulation {
   std::vector<double> reference_;         ///< X by particle id, 3 each [m]
   StepClock clock_;
   PlannedStep planned_{};
+  Stride stride_;
   MotionBounds bounds_;
   double first_stable_ = 0;               ///< bound of the step at t = 0 [s]; 0: none
   double stable_ = 0;                     ///< bound of the coming step [s]

@@ -198,14 +198,24 @@ AuxLayout SimulationImpl<D, T>::make_layout(bool motion) const {
     layout.stress = D + D * D;
     layout.total = layout.stress + 6;
   }
-  if (fused_ && !setup_.coupling) return layout;
-  layout.increment = layout.total;
-  layout.total += D * D;
+  const auto place = [&](int entries) {
+    layout.total += entries;
+    return layout.total - entries;
+  };
   const bool changing_weight = setup_.coupling && setup_.gravity;
-  if (setup_.body_force || !setup_.tractions.empty() || changing_weight) {
-    layout.external = layout.total;
-    layout.total += D;
+  if (fused_) {
+    if (!setup_.coupling) return layout;
+    layout.growth = place(1);
+    if (changing_weight) layout.gained = place(1);
+    layout.increment = place(D * D);
+    if (motion) {
+      layout.gathered = place(D);
+      layout.ahead = place(D);
+    }
+    return layout;
   }
+  layout.increment = place(D * D);
+  if (setup_.body_force || !setup_.tractions.empty() || changing_weight) layout.external = place(D);
   if (averages()) layout.total += volume_aux_fields;  // last
   return layout;
 }

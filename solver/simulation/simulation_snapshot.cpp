@@ -219,7 +219,7 @@ template <int D, class T>
 void SimulationImpl<D, T>::write_strain_rate(const ParticleView& particle, const State& state,
                                              double* out) const {
   double gradient[D][D];
-  if (layout_.increment >= 0 && step_ > 0) {
+  if (!fused_ && step_ > 0) {
     const T* aux = state.body->store().aux_batch(particle.batch) + particle.lane;
     for (int k = 0; k < D * D; ++k) {
       const T* entry = aux + std::size_t(layout_.increment + k) * ParticleStore<D, T>::width;
@@ -227,11 +227,14 @@ void SimulationImpl<D, T>::write_strain_rate(const ParticleView& particle, const
     }
   } else if (setup_.transfer == TransferType::mls) {
     const double h = setup_.cell_size;
+    const T* gathered = state.body->store().aux_batch(particle.batch) + particle.lane +
+                        std::max(layout_.gathered, 0) * ParticleStore<D, T>::width;
     double u[D], affine[D][D];
     for (int a = 0; a < D; ++a) {
       const std::size_t k = std::size_t(a);
       const double moved = step_ > 0 ? clock_.last_dt * particle.velocity[k] : 0;
       u[a] = (particle.position[k] - moved - setup_.lower[k]) / h;
+      if (layout_.gathered >= 0 && step_ > 0) u[a] = gathered[a * ParticleStore<D, T>::width];
       u[a] -= std::floor(u[a]);  // the moment is the same in every cell
       for (int c = 0; c < D; ++c) affine[c][a] = particle.affine[c][a] / (h * h);
     }

@@ -95,11 +95,36 @@ void SimulationImpl<D, T>::save(StateWriter& writer) const {
     writer.put("grid/block_keys", std::vector<std::int64_t>(active.begin(), active.end()));
     writer.put("grid/momentum", std::span<const T>(momenta.data(), momenta.size()));
   }
+  if (strides()) save_stride(writer);
   for (const Collider& collider : colliders_) collider.save(writer);
   writer.put("work/colliders", collider_work_);
   writer.put("work/loads", std::vector<double>{external_work_, external_power_});
   if (external_) external_->save(writer);
   if (flow_) flow_->save(writer);
+}
+
+/// How far the stride is.
+template <int D, class T>
+void SimulationImpl<D, T>::save_stride(StateWriter& writer) const {
+  writer.put("stride", std::vector<double>{double(stride_.steps()), stride_.drift()});
+  if (stride_.begins()) return;
+  const AlignedVector<T>& moved = *backend_->updated_grid().changes;
+  writer.put("grid/displacement", std::span<const T>(moved.data(), moved.size()));
+}
+
+/// The pores are those of the stride's start already.
+template <int D, class T>
+void SimulationImpl<D, T>::load_stride(const StateReader& reader) {
+  const auto stride = reader.get<double>("stride");
+  stride_.resume(int(stride.at(0)), stride.at(1));
+  if (stride_.begins()) return;
+  const auto moved = reader.get<T>("grid/displacement");
+  if (moved.size() != backend_->grid().size()) {
+    throw RunFault("the checkpoint's displacements do not match its grid");
+  }
+  backend_->updated_grid().changes->assign(moved.begin(), moved.end());
+  flow_->follow(backend_->grid().topology());
+  collect_flow_points(false);
 }
 
 template <int D, class T>
@@ -141,6 +166,7 @@ void SimulationImpl<D, T>::load(const StateReader& reader) {
   if (flow_) {
     flow_->load(reader);
     order_flow();
+    if (strides()) load_stride(reader);
   }
 }
 

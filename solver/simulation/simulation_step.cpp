@@ -30,12 +30,15 @@ void SimulationImpl<D, T>::step() {
 /// The grid holds the momenta of this step, scattered by the one before.
 template <int D, class T>
 void SimulationImpl<D, T>::step_fused() {
-  collect_flow();
+  stride_.plan(clock_.dt * bounds_.max_speed / setup_.cell_size);
+  if (stride_.begins()) {
+    collect_flow();
+    weigh_gained_water();
+  }
   note_masses();
   update_grid();
   couple_flow(0);  // or it ends the run: such a step is not halved
   const PlannedStep next = plan(clock_.next_time, step_ + 1);
-  weigh_gained_water(next);
   const auto start = Clock::now();
   recorded_ = setup_.record && setup_.schedule.record_due(clock_.next_time);
   backend_->g2p2g(parameters(clock_.dt, next.dt));
@@ -43,6 +46,7 @@ void SimulationImpl<D, T>::step_fused() {
   time_phase(Phase::particles, start);
   read_motion(report);
   read_signals(report);
+  stride_.note(clock_.dt * report.max_speed / setup_.cell_size);
   planned_ = next;
 }
 
@@ -155,13 +159,14 @@ void SimulationImpl<D, T>::check_count() const {
 
 template <int D, class T>
 void SimulationImpl<D, T>::bin_if_needed() {
+  if (!stride_.begins()) return;
   // A particle may speed up within the coming step: allow for twice its speed, the kick of gravity
   // and a share of the sound speed. Beyond a quarter cell binning cannot help; then it is a fault.
   double speed = 2 * bounds_.max_speed + 0.02 * bounds_.max_signal;
   if (setup_.gravity) {
     for (const double g : setup_.gravity(clock_.time)) speed += std::abs(g) * clock_.dt;
   }
-  const double moved = clock_.dt * speed / setup_.cell_size;
+  const double moved = stride_.most_drift() + clock_.dt * speed / setup_.cell_size;
   if (pending_dead_ == 0 && bounds_.max_excursion + std::min(moved, max_excursion) <= max_excursion)
     return;
   const auto start = Clock::now();
@@ -190,6 +195,10 @@ PassParameters<T> SimulationImpl<D, T>::pass_parameters(const State& state, doub
   par.flip_blend = T(setup_.flip_blend);
   par.record = recorded_ && fused_ && layout_.velocity >= 0;
   par.separate_force = separate_;
+  par.begins_stride = stride_.begins();
+  par.ends_stride = stride_.ends();
+  const std::array<double, 3> gravity = gravity_of(clock_.next_time, dt_next);
+  for (std::size_t a = 0; a < 3; ++a) par.gravity_next[a] = T(gravity[a]);
   for (int a = 0; a < D; ++a) {
     const T far = T(1e30);
     const auto limit = [&](int side, bool open, T at, T outside) {
@@ -222,7 +231,7 @@ void SimulationImpl<D, T>::read_motion(const PassReport<D>& report) {
   check_mass(report.grid_mass);
   check_fault(report.fault);
   bounds_.max_speed = report.max_speed;
-  bounds_.max_excursion = report.max_excursion;
+  if (stride_.ends()) bounds_.max_excursion = report.max_excursion;
   if (report.fastest.body >= 0) fastest_ = report.fastest;
   pending_dead_ = 0;
   scattered_mass_ = 0;

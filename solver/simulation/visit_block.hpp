@@ -46,6 +46,9 @@ void SimulationImpl<D, T>::visit_block(const State& state, std::size_t number, F
       view.energy_density = energy[l];
       const T* aux = store.aux_batch(b);
       const auto value = [&](int field) { return double(aux[field * width + l]); };
+      for (int a = 0; layout_.ahead >= 0 && a < D; ++a) {
+        view.position[std::size_t(a)] += value(layout_.ahead + a) * setup_.cell_size;
+      }
       for (int c = 0; c < D; ++c) {
         view.velocity[std::size_t(c)] = value(layout_.velocity + c);
         for (int a = 0; a < D; ++a) {

@@ -5,6 +5,7 @@
 
 #include "solver/step/batch_pair.hpp"
 #include "solver/step/particle_ops.hpp"
+#include "solver/step/stride_ops.hpp"
 #include "solver/step/transfer.hpp"
 
 /// The block bodies: the method itself, written once for every backend.
@@ -101,16 +102,17 @@ SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassParame
   load_position(g, b, u);
   Motion<V, D> motion;
   Mls<Kernel>::gather(g, Kernel::template at<V, D>(u), par.flip_blend, motion);
-  p.live = move_particle(g, b, par, motion, u);
+  p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
+  if (in_stride<G>(layout)) {
+    p.live = follow_stride<Kernel>(g, b, par, layout, motion, p.increment, u);
+  } else {
+    p.live = move_particle(g, b, par, motion, u);
+    for (int c = 0; c < D; ++c) g.store(b, c, u[c]);
+  }
   for (int c = 0; c < D; ++c) {
-    g.store(b, c, u[c]);
     p.u[c] = u[c];
     p.velocity[c] = motion.velocity[c];
     for (int a = 0; a < D; ++a) p.affine[c][a] = motion.affine[c][a];
-  }
-  p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
-  if constexpr (G::takes_pore_water) {
-    if (layout.increment >= 0) store_increment<V, D>(g, b, layout, p.increment);
   }
 }
 
@@ -133,7 +135,7 @@ SCREE_FN void return_to_grid(G& g, const typename G::Batch& b, const PassData<D,
   const auto point = Kernel::template at<V, D>(u);
   if constexpr (G::takes_pore_water) {
     Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
-    add_external(par, g, b, data.layout, impulse);
+    add_gained_weight(par, g, b, data.layout, impulse);
     Mls<Kernel>::scatter(g, point, par.particle_mass, motion, impulse, false, p.live);
   } else {  // an impulse with a name would cost a GPU's kernel registers
     Mls<Kernel>::scatter(g, point, par.particle_mass, motion, make_impulse<V, D>(par, tau), false,
@@ -171,14 +173,15 @@ SCREE_FN auto update_together(G& g, const BatchSet<typename G::Batch, n>& set,
 
 /// The fused pass: gather the new grid velocities, move and deform the particle, return its stress
 /// to the next step's grid. Only position and material state are stored; velocity, affine matrix
-/// and stress leave the registers on request (par.record), dt grad v where the layout has a place
-/// for it (pore water).
+/// and stress leave the registers on request (par.record). With pore water particles go on stride
+/// by stride.
 template <class Kernel, class Material, class G, int D, class T>
 SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
                           const typename Material::template Params<T>& material) {
   using V = typename G::V;
   const PassParameters<T>& par = data.parameters;
   g.stage_in(0);
+  if (in_stride<G>(data.layout) && par.sums_stride()) g.stage_in(1);
   g.clear(0);
   g.sync();
   constexpr int size = std::min(G::max_set, batches_together<Material>);

@@ -109,22 +109,22 @@ SCREE_FN Mat3<V> gradient_increment(const Motion<V, D>& motion, const V& scale) 
   return increment;
 }
 
-/// Advances the position, reports the motion, checks the movement bound and the domain's faces.
+/// Advances the position by a way [cells], reports the motion, checks the movement bound and the
+/// domain's faces.
 ///
 /// Returns 1 for the lanes that may scatter: particles that neither left through an open face nor
 /// strayed beyond the arena.
 template <class G, class V, int D, class T>
 SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<T>& par,
-                         const Motion<V, D>& motion, V (&u)[D]) {
+                         const Motion<V, D>& motion, const V (&way)[D], V (&u)[D]) {
   const V none = broadcast<V>(T(0));
   const MaskOf<V> active = g.active(b);
-  const V scale = step_over_cell<V>(g, b, par);
   V speed = none;
   V stray = none;
   V leaving = none;  // depth beyond an open face [cells], > 0 outside
   V beyond = none;   // the same for closed faces
   for (int a = 0; a < D; ++a) {
-    const V moved = u[a] + motion.transport[a] * scale;  // padding stays where it is
+    const V moved = u[a] + way[a];
     speed = max(speed, abs(motion.transport[a]));
     stray = max(stray, max(T(home_begin) - moved, moved - T(home_end)));
     const V x = moved + g.block_origin(a);
@@ -145,6 +145,16 @@ SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<
   const MaskOf<V> scatters = active & finite & inside & !gone;
   for (int a = 0; a < D; ++a) u[a] = select(inside & finite, u[a], broadcast<V>(T(2)));
   return select(scatters, broadcast<V>(T(1)), none);
+}
+
+/// The same by the way of this step.
+template <class G, class V, int D, class T>
+SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<T>& par,
+                         const Motion<V, D>& motion, V (&u)[D]) {
+  V way[D];
+  const V scale = step_over_cell<V>(g, b, par);  // padding stays where it is
+  for (int a = 0; a < D; ++a) way[a] = motion.transport[a] * scale;
+  return move_particle(g, b, par, motion, way, u);
 }
 
 /// Whether bodies of a law may carry pore pressure: laws say so themselves.

@@ -13,8 +13,15 @@ struct AuxLayout {
   int velocity = -1;   ///< D entries [m/s]
   int affine = -1;     ///< D*D entries, B = 1/2 sum w v (x_i - x_p)^T in units of m/s x cells
   int stress = -1;     ///< 6 entries, Kirchhoff stress [Pa]: xx, xy, xz, yy, yz, zz
-  int increment = -1;  ///< D*D entries, dt grad v of the last step (split path, pore water)
+  int increment = -1;  ///< D*D entries, dt grad v of the last step (split path) or stride
   int external = -1;   ///< D entries, external force per mass [m/s^2] (loads, gained water)
+  // Fused path with pore water, whose particles stay where they are for some steps
+  // (stride_ops.hpp).
+  int growth = -1;    ///< relative change of volume since the stride's start
+  int gained = -1;    ///< mass of the gained water over the particle's
+  int gathered = -1;  ///< D entries, with records: position in the last gather [cells from the
+                      ///< block's lower corner]
+  int ahead = -1;  ///< D entries, with records: how far the particle is from its position [cells]
   int total = 0;
 };
 
@@ -52,6 +59,11 @@ struct PassParameters {
   T flip_blend = 1;              ///< flip: share of the increment form, 0 = pic
   bool record = false;           ///< fused pass: also store velocity, affine matrix and stress
   bool separate_force = false;   ///< scatter forces into channel 1 (flip, local damping)
+  // With AuxLayout::growth; channel 1 then holds the nodes' displacements since the stride's start,
+  // this step's included [m].
+  bool begins_stride = true;      ///< the step is the first of its stride
+  bool ends_stride = true;        ///< it is the last: particles go to where they have got
+  T gravity_next[3] = {0, 0, 0};  ///< in the step that the scattered forces belong to [m/s^2]
   T alive_lower[3];  ///< a particle outside [alive_lower, alive_upper) is removed [cells]
   T alive_upper[3];
   T closed_lower[3];  ///< a particle outside these is a fault [cells]
@@ -64,6 +76,9 @@ struct PassParameters {
   T step_over_cell = 0;   ///< dt/dx [s/m]
   T impulse_scale = 0;    ///< -dt_next V0/dx: stress -> impulse [m^2 s] (2D: m s)
   T water_stiffness = 0;  ///< undrained_bulk_modulus over density [m^2/s^2]
+
+  /// Whether the pass of a stride gathers from channel 1.
+  SCREE_FN bool sums_stride() const { return ends_stride ? !begins_stride : record; }
 
   void derive() {
     step_over_cell = dt / cell_size;

@@ -36,9 +36,10 @@ SCREE_FN void set_zero(V (&a)[D][D]) {
 
 /// velocity = mean over lattices of sum w v; affine = mean of sum w v (x_i - x_p)^T.
 template <class Kernel, class G, class Point, class V, int D>
-SCREE_FN void gather_affine(const G& g, const Point& p, V (&velocity)[D], V (&affine)[D][D]) {
+SCREE_FN void gather_affine(const G& g, int channel, const Point& p, V (&velocity)[D],
+                            V (&affine)[D][D]) {
   using T = Scalar<V>;
-  g.gather_affine(0, p.stencil, velocity, affine);
+  g.gather_affine(channel, p.stencil, velocity, affine);
   const T share = T(1.0 / Kernel::lattices);
   for (int c = 0; c < D; ++c) {
     velocity[c] = velocity[c] * share;
@@ -97,7 +98,7 @@ struct Mls {
 
   template <class G, class Point, class V, int D>
   SCREE_FN static void gather(const G& g, const Point& p, Scalar<V>, Motion<V, D>& m) {
-    transfer_detail::gather_affine<Kernel>(g, p, m.velocity, m.affine);
+    transfer_detail::gather_affine<Kernel>(g, 0, p, m.velocity, m.affine);
     Kernel::template times_inverse_moment<V, D>(p, m.affine, m.gradient);
     for (int c = 0; c < D; ++c) m.transport[c] = m.velocity[c];
   }
@@ -134,7 +135,7 @@ struct Apic {
 
   template <class G, class Point, class V, int D>
   SCREE_FN static void gather(const G& g, const Point& p, Scalar<V>, Motion<V, D>& m) {
-    transfer_detail::gather_affine<Kernel>(g, p, m.velocity, m.affine);
+    transfer_detail::gather_affine<Kernel>(g, 0, p, m.velocity, m.affine);
     transfer_detail::gather_gradient<Kernel>(g, 0, p, m.transport, m.gradient);
     for (int c = 0; c < D; ++c) m.transport[c] = m.velocity[c];
   }
