@@ -66,7 +66,7 @@ BenchResult measure(const BenchOptions& options) {
   result.threads = run.threads();
   result.fused = run.simulation().fused();
   const int enough = run.warm_up(wanted_seconds, least_steps);
-  result.steps = options.steps > 0 ? options.steps : enough;
+  result.steps = options.steps > 0 ? run.whole_strides(options.steps) : enough;
   const PhaseTimes before = run.simulation().phases();
   if (run.simulation().coupled() && options.deck.empty()) {
     BenchOptions dry = options;

@@ -37,7 +37,9 @@ BenchRun::BenchRun(const BenchOptions& options) : options_(options) {
   SimulationSetup setup =
       options.deck.empty() ? build_bench_case(options) : build_bench_deck(options_);
   threads_ = setup.threads = thread_count(options.threads);
+  const int stride = setup.coupling ? setup.coupling->stride : 1;
   simulation_ = create_on_device(std::move(setup), choose_backend(options.backend).device);
+  if (simulation_->fused()) stride_ = stride;
   set_up_seconds_ = seconds_since(start);
 }
 
@@ -52,7 +54,9 @@ StepTime BenchRun::time_steps(int steps) {
 int BenchRun::warm_up(double seconds, int least) {
   constexpr int steps = 3;
   const double spent = time_steps(steps).seconds;
-  return std::clamp(int(std::min(seconds / spent * steps, 1e6)), least, std::max(least, 2000));
+  const int wanted =
+      std::clamp(int(std::min(seconds / spent * steps, 1e6)), least, std::max(least, 2000));
+  return whole_strides(wanted);
 }
 
 BestMedian best_and_median(std::vector<double> values) {

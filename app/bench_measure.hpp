@@ -33,12 +33,17 @@ class BenchRun {
 
   /// What so many steps take.
   StepTime time_steps(int steps);
-  /// Steps untimed at first; returns how many steps take about `seconds`, at least `least`.
+  /// Steps untimed at first; returns how many steps take about `seconds`, at least `least`, in
+  /// whole strides.
   int warm_up(double seconds, int least);
+  /// So many steps or more that strides of pore water are measured whole: their steps share work
+  /// of the first one.
+  int whole_strides(int steps) const { return (steps + stride_ - 1) / stride_ * stride_; }
 
  private:
   BenchOptions options_;
   int threads_ = 1;
+  int stride_ = 1;  ///< steps
   double set_up_seconds_ = 0;
   std::unique_ptr<Simulation> simulation_;
 };

@@ -190,7 +190,7 @@ bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology,
     folded_ = false;
     return false;
   }
-  volume_.push(matrix_, solution_, constraints_.inverse(), step.dt, velocity_, force_, pool);
+  volume_.push(matrix_, solution_, constraints_.inverse(), step.impulse(), velocity_, force_, pool);
   push_groups(step, force_, topology);
   time_part(Part::forces, start);
   gather(step, pool);
@@ -249,7 +249,7 @@ void CoupledFlow<D>::add_schur(const FlowStep<D>& step, ThreadPool& pool) {
     add_held(1.0 / lattices_);
     schur_ = sums;
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = step.dt * schur_[i];
+  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = step.impulse() * schur_[i];
 }
 
 /// Nodes that colliders hold, whose inverse mass is a matrix.
@@ -341,7 +341,7 @@ void CoupledFlow<D>::push_loads(const FlowStep<D>& step, const Topology<D>& topo
         if (m[0] < 0) return;
         for (int a = 0; a < D; ++a) {
           const std::size_t i = std::size_t(r) * D + std::size_t(a);
-          velocity_[i] += step.dt * m[std::size_t(a)] * force[i];
+          velocity_[i] += step.impulse() * m[std::size_t(a)] * force[i];
         }
       },
       256);
@@ -376,7 +376,7 @@ Vec3<double> CoupledFlow<D>::push_group(const FlowStep<D>& step, const NodeGroup
   double change[D] = {}, mass[D] = {};
   const double* force = &forces[std::size_t(group.root) * D];  // its ghosts' included
   for (int a = 0; a < D; ++a) {
-    for (int b = 0; b < D; ++b) change[a] += step.dt * group.inverse[a][b] * force[b];
+    for (int b = 0; b < D; ++b) change[a] += step.impulse() * group.inverse[a][b] * force[b];
   }
   for (std::int32_t m = group.begin; m < group.end; ++m) {
     const auto& member = constraints_.members()[std::size_t(m)];
@@ -390,7 +390,7 @@ Vec3<double> CoupledFlow<D>::push_group(const FlowStep<D>& step, const NodeGroup
   }
   Vec3<double> impulse{};
   for (int a = 0; a < D; ++a) {
-    impulse[a] = step.dt * force[a] - mass[a] / step.decisions.keep * change[a];
+    impulse[a] = step.dt * force[a] - mass[a] / step.keep * change[a];
   }
   return impulse;
 }

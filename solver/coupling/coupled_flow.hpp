@@ -71,10 +71,13 @@ struct FlowStep {
   double dt = 0;                    ///< [s]
   double end = 0;                   ///< time after the step [s]
   std::array<double, 3> gravity{};  ///< [m/s^2]
+  double keep = 1;                  ///< share of a node's velocity that mass damping leaves
   GridDecisions<D> decisions;
   const std::vector<Collider>* colliders = nullptr;
   double touch = 0;    ///< see NodeConstraints::find
   bool record = true;  ///< somebody looks at the water of the particles after the step
+  /// What a force does to the momentum of its node in the step.
+  double impulse() const { return dt * keep; }
   // Of a stride, whose steps share their points:
   bool begins = true;  ///< the points are those of this step
   bool ends = true;    ///< the next step has its own

@@ -64,7 +64,7 @@ Schema<CouplingSpec> make_coupling_schema() {
   s.integer("stride", &CouplingSpec::stride)
       .at_least(1)
       .at_most(1000)
-      .fallback(32)
+      .fallback(64)
       .doc(
           "Steps in which particles may act on the grid from one place, so that the equations of "
           "the pressure need not be made anew; 1: they are in every step. Runs that take separate "

@@ -71,7 +71,7 @@ struct CouplingSetup {
   int halvings = 0;
   /// Fused path: steps that particles may act on the grid from one place, and how far they may move
   /// meanwhile [cells].
-  int stride = 32;
+  int stride = 64;
   double stride_drift = 0.005;
   std::vector<DrainageSetup> drainage;
 };

@@ -19,10 +19,10 @@ std::int8_t sign_along(FaceType type, NoSlip no_slip, char state) {
 
 }  // namespace
 
-/// Masses, folds and damping are those of the last find().
+/// Masses and folds are those of the last find().
 template <int D>
 bool NodeConstraints<D>::same_nodes(const GridDecisions<D>& grid) const {
-  return grid.keep == known_.keep && mass_ == known_.mass && *grid.folded == known_.folded;
+  return mass_ == known_.mass && *grid.folded == known_.folded;
 }
 
 template <int D>
@@ -94,10 +94,11 @@ std::int64_t NodeConstraints<D>::root_of(std::int64_t record, Signs& sign) const
 }
 
 template <int D>
-void NodeConstraints<D>::make_groups(const GridDecisions<D>& grid) {
-  groups_.clear();
-  members_.clear();
-  inverse_.resize(mass_.size());
+void NodeConstraints<D>::make_groups() {
+  auto& [inverses, groups, members] = found_;
+  groups.clear();
+  members.clear();
+  inverses.resize(mass_.size());
   struct Fold {
     std::int64_t root, record;
     Signs sign;
@@ -106,13 +107,13 @@ void NodeConstraints<D>::make_groups(const GridDecisions<D>& grid) {
   for (std::size_t r = 0; r < mass_.size(); ++r) {
     for (int a = 0; a < D; ++a) {
       const bool free = mass_[r] > 0 && (held_[r] >> a & 1) == 0;
-      inverse_[r][std::size_t(a)] = free ? grid.keep / mass_[r] : 0.0;
+      inverses[r][std::size_t(a)] = free ? 1 / mass_[r] : 0.0;
     }
     if (special_[r] == 0) continue;
     Signs sign;
     const std::int64_t root = root_of(std::int64_t(r), sign);
     folds.push_back({root, std::int64_t(r), sign});
-    inverse_[r].fill(-1);
+    inverses[r].fill(-1);
   }
   // The root before its ghosts.
   std::sort(folds.begin(), folds.end(), [](const Fold& a, const Fold& b) {
@@ -123,22 +124,22 @@ void NodeConstraints<D>::make_groups(const GridDecisions<D>& grid) {
   for (std::size_t i = 0; i < folds.size();) {
     NodeGroup<D> group;
     group.root = folds[i].root;
-    group.begin = std::int32_t(members_.size());
+    group.begin = std::int32_t(members.size());
     double mass[D] = {};
     for (; i < folds.size() && folds[i].root == group.root; ++i) {
-      members_.push_back({folds[i].record, folds[i].sign});
+      members.push_back({folds[i].record, folds[i].sign});
       for (int a = 0; a < D; ++a) {
         if (folds[i].sign[std::size_t(a)] != 0) mass[a] += mass_[std::size_t(folds[i].record)];
       }
     }
-    group.end = std::int32_t(members_.size());
+    group.end = std::int32_t(members.size());
     const char held = held_[std::size_t(group.root)];
-    InverseMass<D>& inverse = inverse_[std::size_t(group.root)];
+    InverseMass<D>& inverse = inverses[std::size_t(group.root)];
     for (int a = 0; a < D; ++a) {
       const bool free = mass[a] > 0 && (held >> a & 1) == 0;
-      inverse[std::size_t(a)] = group.inverse[a][a] = free ? grid.keep / mass[a] : 0.0;
+      inverse[std::size_t(a)] = group.inverse[a][a] = free ? 1 / mass[a] : 0.0;
     }
-    groups_.push_back(group);
+    groups.push_back(group);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solver/boundary/collider.hpp"
@@ -11,13 +12,12 @@
 
 namespace scree {
 
-/// What the grid update has decided about faces and damping.
+/// What the grid update has decided about faces.
 template <int D>
 struct GridDecisions {
   const Faces<D>* faces = nullptr;
   const FacePairs<D>* pairs = nullptr;
   const std::array<std::vector<char>, D>* folded = nullptr;  ///< a PairState per pair
-  double keep = 1;  ///< share of a node's velocity that mass damping leaves
 };
 
 /// A velocity node with what moves with it: ghosts beyond walls and periodic faces that the grid
@@ -28,11 +28,13 @@ struct NodeGroup {
   struct Member {
     std::int64_t record;
     std::array<std::int8_t, D> sign;  ///< of the root's velocity; 0: held
+    bool operator==(const Member&) const = default;
   };
   std::int64_t root = 0;
   std::int32_t begin = 0, end = 0;  ///< members, the root first
   double inverse[D][D] = {};        ///< constrained inverse mass [1/kg]
   std::int32_t collider = -1;       ///< that holds it, -1: none, and inverse is diagonal
+  bool operator==(const NodeGroup&) const = default;
 };
 
 /// The inverse mass of the velocity nodes under the constraints of the step.
@@ -52,21 +54,24 @@ class NodeConstraints {
   template <class Position>
   void find(const GridDecisions<D>& grid, const std::vector<double>& velocity,
             const std::vector<Collider>& colliders, Position&& position, double touch);
-  /// Whether the last find() found what the one before it had found. (Colliders move: never.)
+  /// Whether the last find() found what the one before it had found.
   bool unchanged() const { return unchanged_; }
 
-  const std::vector<InverseMass<D>>& inverse() const { return inverse_; }
-  const std::vector<NodeGroup<D>>& groups() const { return groups_; }
-  const std::vector<typename NodeGroup<D>::Member>& members() const { return members_; }
+  const std::vector<InverseMass<D>>& inverse() const { return found_.inverse; }
+  const std::vector<NodeGroup<D>>& groups() const { return found_.groups; }
+  const std::vector<typename NodeGroup<D>::Member>& members() const { return found_.members; }
   double mass(std::int64_t record) const { return mass_[std::size_t(record)]; }
 
  private:
   using Signs = std::array<std::int8_t, D>;
   bool same_nodes(const GridDecisions<D>& grid) const;
   void follow_folds(const GridDecisions<D>& grid);
+  template <class Position>
+  void hold_nodes(const std::vector<double>& velocity, const std::vector<Collider>& colliders,
+                  Position&& position, double touch);
   void hold_walls(const GridDecisions<D>& grid, const std::vector<double>& velocity);
   std::int64_t root_of(std::int64_t record, Signs& sign) const;
-  void make_groups(const GridDecisions<D>& grid);
+  void make_groups();
   void hold_by_colliders(const std::vector<double>& velocity,
                          const std::vector<Collider>& colliders, const double x[3], double touch,
                          NodeGroup<D>& group) const;
@@ -80,18 +85,21 @@ class NodeConstraints {
   struct Known {
     std::vector<double> mass;
     std::array<std::vector<char>, D> folded;
-    double keep = 0;
     std::vector<char> held;
+  };
+  struct Found {
+    std::vector<InverseMass<D>> inverse;
+    std::vector<NodeGroup<D>> groups;
+    std::vector<typename NodeGroup<D>::Member> members;
+    bool operator==(const Found&) const = default;
   };
   std::vector<double> mass_;  ///< before folding
   Known known_;
   bool unchanged_ = false;
-  std::vector<InverseMass<D>> inverse_;
+  Found found_, before_;
   std::vector<Link> link_;     ///< by record; to < 0: not folded
   std::vector<char> held_;     ///< by record: bit a: axis a is held
   std::vector<char> special_;  ///< by record: root or ghost of a fold
-  std::vector<NodeGroup<D>> groups_;
-  std::vector<typename NodeGroup<D>::Member> members_;
 };
 
 template <int D>
@@ -102,34 +110,46 @@ void NodeConstraints<D>::find(const GridDecisions<D>& grid, const std::vector<do
   const bool same = same_nodes(grid);
   if (!same) follow_folds(grid);
   hold_walls(grid, velocity);
-  unchanged_ = same && held_ == known_.held && colliders.empty();
-  if (unchanged_) return;
-  known_ = {mass_, *grid.folded, grid.keep, held_};
-  make_groups(grid);
+  unchanged_ = same && held_ == known_.held;
+  if (unchanged_ && colliders.empty()) return;
+  if (!unchanged_) known_ = {mass_, *grid.folded, held_};
+  std::swap(found_, before_);
+  make_groups();
+  hold_nodes(velocity, colliders, position, touch);
+  unchanged_ = unchanged_ && found_ == before_;
+}
+
+/// What colliders hold.
+template <int D>
+template <class Position>
+void NodeConstraints<D>::hold_nodes(const std::vector<double>& velocity,
+                                    const std::vector<Collider>& colliders, Position&& position,
+                                    double touch) {
   if (colliders.empty()) return;
+  auto& [inverse, groups, members] = found_;
   std::vector<NodeGroup<D>> touched;
-  for (NodeGroup<D>& group : groups_) {
+  for (NodeGroup<D>& group : groups) {
     const std::array<double, 3> x = position(group.root);
     hold_by_colliders(velocity, colliders, x.data(), touch, group);
-    if (group.collider >= 0) inverse_[std::size_t(group.root)].fill(-1);
+    if (group.collider >= 0) inverse[std::size_t(group.root)].fill(-1);
   }
   for (std::size_t r = 0; r < mass_.size(); ++r) {
     if (!(mass_[r] > 0) || special_[r] != 0) continue;
     NodeGroup<D> group;
     group.root = std::int64_t(r);
-    for (int a = 0; a < D; ++a) group.inverse[a][a] = inverse_[r][std::size_t(a)];
+    for (int a = 0; a < D; ++a) group.inverse[a][a] = inverse[r][std::size_t(a)];
     const std::array<double, 3> x = position(group.root);
     hold_by_colliders(velocity, colliders, x.data(), touch, group);
     if (group.collider < 0) continue;
-    group.begin = std::int32_t(members_.size());
+    group.begin = std::int32_t(members.size());
     Signs ones;
     ones.fill(1);
-    members_.push_back({group.root, ones});
-    group.end = std::int32_t(members_.size());
-    inverse_[r].fill(-1);
+    members.push_back({group.root, ones});
+    group.end = std::int32_t(members.size());
+    inverse[r].fill(-1);
     touched.push_back(group);
   }
-  groups_.insert(groups_.end(), touched.begin(), touched.end());
+  groups.insert(groups.end(), touched.begin(), touched.end());
 }
 
 extern template class NodeConstraints<2>;

@@ -292,7 +292,7 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   step.decisions.faces = &grid.update->faces();
   step.decisions.pairs = &grid.update->pairs();
   step.decisions.folded = &grid.update->folded();
-  step.decisions.keep = forces.kept();
+  step.keep = forces.kept();
   step.colliders = &colliders_;
   step.touch = 64 * double(std::numeric_limits<T>::epsilon());
   step.record = setup_.record && setup_.schedule.record_due(step.end);

@@ -31,13 +31,11 @@ void SimulationImpl<D, T>::step() {
 template <int D, class T>
 void SimulationImpl<D, T>::step_fused() {
   stride_.plan(clock_.dt * bounds_.max_speed / setup_.cell_size);
-  if (stride_.begins()) {
-    collect_flow();
-    weigh_gained_water();
-  }
+  if (stride_.begins()) collect_flow();
   note_masses();
   update_grid();
   couple_flow(0);  // or it ends the run: such a step is not halved
+  if (stride_.begins()) weigh_gained_water();
   const PlannedStep next = plan(clock_.next_time, step_ + 1);
   const auto start = Clock::now();
   recorded_ = setup_.record && setup_.schedule.record_due(clock_.next_time);
