@@ -135,7 +135,9 @@ void add_bench_case(CLI::App& bench, BenchOptions& options, CLI::Option* suite) 
       ->check(CLI::IsMember({2, 3}))
       ->type_name("2|3")
       ->excludes(suite);
-  bench.add_option("--steps", options.steps, "Timed steps, with pore water whole strides (default: enough to measure well)")
+  bench
+      .add_option("--steps", options.steps,
+                  "Timed steps, with pore water whole strides (default: enough to measure well)")
       ->check(CLI::Range(1, 1'000'000'000))
       ->type_name("N")
       ->excludes(suite);

@@ -54,7 +54,7 @@ struct Newtonian : CompressibleFluid {
 
   template <class V, class T>
   SCREE_FN static Sym3<V> kirchhoff(const Params<T>& p, State<V>& s, const Mat3<V>& L, T dt) {
-    advance(s, L, detail::volume_growth(L), dt);
+    advance(s, L, volume_growth(L), dt);
     const V j = bounded_strain(p, s);
     const V J = j + T(1);
     const V pressure = max(relative_pressure(p, j), broadcast<V>(p.weakest));

@@ -149,6 +149,15 @@ SCREE_FN V det(const Mat3<V>& a) {
          a(0, 1) * (a(1, 2) * a(2, 0) - a(1, 0) * a(2, 2)) +
          a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
 }
+/// det(I + L) - 1 = tr L + the principal minors + det L, to full relative accuracy for small L:
+/// without a cancellation against 1.
+template <class V>
+SCREE_FN V volume_growth(const Mat3<V>& L) {
+  const V minors = L(0, 0) * L(1, 1) - L(0, 1) * L(1, 0) + L(1, 1) * L(2, 2) - L(1, 2) * L(2, 1) +
+                   L(2, 2) * L(0, 0) - L(2, 0) * L(0, 2);
+  return trace(L) + minors + det(L);
+}
+
 /// Inverse by cofactors; det(a) must not be zero. Relative error about cond(a) units in the last
 /// place.
 template <class V>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "solver/coupling/coupled_flow.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -48,6 +46,7 @@ CoupledFlow<D>::CoupledFlow(CouplingSetup setup, const FlowDomain<D>& domain,
       compressed_(solver_.needs_entries() || !PressureProduct<D>::serves(lattice_)),
       order_(lattice_),
       states_(particles),
+      missed_(lattice_.size(), domain.stride),
       own_(domain.own_increments ? std::size_t(particles) : 0),
       outflow_(surfaces_.count(), 0.0) {
   setup_.drainage.clear();
@@ -83,6 +82,7 @@ template <int D>
 void CoupledFlow<D>::follow(const Topology<D>& topology) {
   if (topology.keys() == blocks_) return;
   blocks_ = topology.keys();
+  constraints_.forget();
   volume_.rebuild(topology);
 }
 
@@ -110,16 +110,6 @@ void CoupledFlow<D>::time_part(Part part, Clock::time_point& start) {
 }
 
 template <int D>
-std::vector<std::pair<std::string, double>> CoupledFlow<D>::times() const {
-  const auto at = [this](Part part) { return seconds_[std::size_t(part)]; };
-  return {{"pore_points", at(Part::points)},
-          {"pore_constraints", at(Part::constraints)},
-          {"pore_matrix", at(Part::matrix)},
-          {"pore_solve", at(Part::solve)},
-          {"pore_forces", at(Part::forces)}};
-}
-
-template <int D>
 void CoupledFlow<D>::begin_points(bool loaded) {
   const std::int64_t count = chunks_.empty() ? 0 : chunks_.back().end;
   loaded_ = loaded;
@@ -132,8 +122,9 @@ void CoupledFlow<D>::assemble(const std::function<void(std::int32_t, FlowPoints<
                               ThreadPool& pool) {
   auto start = Clock::now();
   order_.finish();
-  schur_.clear();
+  for (auto* sums : {&storage_, &conductance_, &schur_}) sums->clear();
   folded_ = false;
+  surfaces_.forget();
   cells_.begin(chunks_);
   volume_.begin(loaded_);
   // Bodies one after the other, columns of one colour at a time: each sum has one order.
@@ -177,7 +168,7 @@ template <int D>
 bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool) {
   auto start = Clock::now();
   prepare(step, topology);
-  fold_volume(setup_.halvings > 0 || !step.ends);
+  fold_volume(setup_.halvings > 0 || step.may_go_on);
   reactions_.assign(step.colliders->size(), Reaction{});
   if (!volume_.load().empty()) push_loads(step, topology, pool);
   time_part(Part::constraints, start);
@@ -193,139 +184,7 @@ bool CoupledFlow<D>::solve(const FlowStep<D>& step, const Topology<D>& topology,
   volume_.push(matrix_, solution_, constraints_.inverse(), step.impulse(), velocity_, force_, pool);
   push_groups(step, force_, topology);
   time_part(Part::forces, start);
-  gather(step, pool);
-  time_part(Part::points, start);
   return true;
-}
-
-/// Which nodes move, and which have a pressure.
-template <int D>
-void CoupledFlow<D>::prepare(const FlowStep<D>& step, const Topology<D>& topology) {
-  constraints_.find(
-      step.decisions, velocity_, *step.colliders,
-      [&](std::int64_t record) { return position(record, topology); }, step.touch);
-  if (!matrix_.set_nodes(cells_.marks(), compressed_) || matrix_.rows() == 0) return;
-  if (compressed_) {
-    solver_.set_pattern(matrix_.row_begin(), matrix_.columns());
-  } else {
-    product_.set_nodes(matrix_);
-    solver_.set_action(product_);
-  }
-}
-
-/// again: it may have to be folded otherwise for the same points.
-template <int D>
-void CoupledFlow<D>::fold_volume(bool again) {
-  if (folded_ && constraints_.unchanged()) return;
-  volume_.unfold();
-  volume_.keep_unfolded(again);
-  for (const NodeGroup<D>& group : constraints_.groups()) {
-    for (std::int32_t m = group.begin + 1; m < group.end; ++m) {
-      const auto& ghost = constraints_.members()[std::size_t(m)];
-      volume_.fold(group.root, ghost.record, ghost.sign);
-    }
-  }
-  folded_ = true;
-}
-
-template <int D>
-void CoupledFlow<D>::make_system(const FlowStep<D>& step, ThreadPool& pool) {
-  add_schur(step, pool);
-  // Within a stride the points' pressures are those of the nodes.
-  cells_.add(step.dt, step.gravity, step.begins ? nullptr : nodal_[0].data(), matrix_);
-  surfaces_.add([this](std::int64_t id) { return surface_point(id); },
-                [this](std::int64_t id) { return deformation(id); }, step.end, h_,
-                domain_.cell_size, lattice_, domain_.lower, matrix_);
-  volume_.subtract_rates(velocity_, 1.0 / lattices_, matrix_, pool);
-  finish_matrix(pool);
-}
-
-/// dt/L sum Q^T M^-1 Q, to a matrix of zeros. The sum stays while points and constraints do.
-template <int D>
-void CoupledFlow<D>::add_schur(const FlowStep<D>& step, ThreadPool& pool) {
-  AlignedVector<double>& sums = matrix_.stencils();
-  if (schur_.empty() || !constraints_.unchanged()) {
-    volume_.add(constraints_.inverse(), 1.0 / lattices_, matrix_, pool);
-    add_held(1.0 / lattices_);
-    schur_ = sums;
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = step.impulse() * schur_[i];
-}
-
-/// Nodes that colliders hold, whose inverse mass is a matrix.
-template <int D>
-void CoupledFlow<D>::add_held(double factor) {
-  std::vector<std::int32_t> rows;
-  const int hats = volume_.hats(), stride = volume_.stride();
-  for (const NodeGroup<D>& group : constraints_.groups()) {
-    const double* q = group.collider < 0 ? nullptr : volume_.block(group.root);
-    if (q == nullptr) continue;
-    volume_.rows(group.root, matrix_, rows);
-    for (int j = 0; j < hats; ++j) {
-      double moved[D];
-      bool any = false;
-      for (int a = 0; a < D; ++a) {
-        moved[a] = 0;
-        for (int b = 0; b < D; ++b) moved[a] += factor * group.inverse[a][b] * q[b * stride + j];
-        any = any || moved[a] != 0;
-      }
-      if (!any || rows[std::size_t(j)] < 0) continue;
-      for (int l = j; l < hats; ++l) {
-        double value = 0;
-        for (int a = 0; a < D; ++a) value += moved[a] * q[a * stride + l];
-        const int offset = matrix_.offset_index(volume_.hat(j), volume_.hat(l));
-        if (value != 0) matrix_.add(rows[std::size_t(j)], offset, value);
-      }
-    }
-  }
-}
-
-/// The matrix in the form that the solver takes.
-template <int D>
-void CoupledFlow<D>::finish_matrix(ThreadPool& pool) {
-  if (compressed_) {
-    matrix_.finish();
-  } else {
-    product_.set_values(matrix_, pool);
-  }
-}
-
-template <int D>
-bool CoupledFlow<D>::solve_system() {
-  solution_.resize(std::size_t(matrix_.rows()));
-  iterations_ = 0;
-  if (matrix_.rows() == 0) return true;
-  for (std::size_t r = 0; r < solution_.size(); ++r) {
-    // As if the pressure went on as in the last steps; nodes that had none begin with zero.
-    const std::size_t node = std::size_t(matrix_.nodes()[r]);
-    const double last = nodal_[0][node], before = nodal_[1][node], first = nodal_[2][node];
-    solution_[r] = before == 0 ? last : 2 * last - before;
-    if (before != 0 && first != 0) solution_[r] += last - 2 * before + first;
-  }
-  report_ = compressed_ ? solver_.solve(matrix_.values(), matrix_.rhs(), solution_)
-                        : solver_.solve(matrix_.rhs(), solution_);
-  if (!report_.converged) return false;
-  iterations_ = report_.iterations;
-  for (std::size_t r = 0; r < solution_.size(); ++r) {
-    const std::size_t node = std::size_t(matrix_.nodes()[r]);
-    nodal_[2][node] = nodal_[1][node];
-    nodal_[1][node] = nodal_[0][node];
-    nodal_[0][node] = solution_[r];
-  }
-  return true;
-}
-
-template <int D>
-std::string CoupledFlow<D>::failure(double end, int halvings) const {
-  const std::string halved =
-      halvings == 0
-          ? "coupling.halvings, which repeats such a step with half its length"
-          : fmt::format("more coupling.halvings (the step was halved {} times)", halvings);
-  return fmt::format(
-      "pore pressure at t = {:.6g} s: the solver stopped after {} iterations with a relative "
-      "residual of {:.3g} ({}); try coupling.preconditioner = \"icc\" or \"gamg\", a larger "
-      "coupling.tolerance, a shorter time step, or {}",
-      end, report_.iterations, report_.residual, report_.reason, halved);
 }
 
 /// The moments of loads change the velocities before the pressure does.

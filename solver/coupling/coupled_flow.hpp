@@ -14,6 +14,7 @@
 #include "solver/coupling/coupling_setup.hpp"
 #include "solver/coupling/drained_surface.hpp"
 #include "solver/coupling/flow_points.hpp"
+#include "solver/coupling/missed_volume.hpp"
 #include "solver/coupling/node_constraints.hpp"
 #include "solver/coupling/point_order.hpp"
 #include "solver/coupling/pore_cells.hpp"
@@ -45,6 +46,7 @@ struct FlowDomain {
   typename PressureLattice<D>::Walls walls{};
   /// Laws see other increments than the particles move by (volumetric_locking): note_increment().
   bool own_increments = false;
+  int stride = 1;                 ///< most steps with the same points
   std::array<double, 3> lower{};  ///< [m]
   double cell_size = 1;           ///< [m]
 };
@@ -79,8 +81,8 @@ struct FlowStep {
   /// What a force does to the momentum of its node in the step.
   double impulse() const { return dt * keep; }
   // Of a stride, whose steps share their points:
-  bool begins = true;  ///< the points are those of this step
-  bool ends = true;    ///< the next step has its own
+  bool begins = true;      ///< the points are those of this step
+  bool may_go_on = false;  ///< the next step may not have its own
 };
 
 /// Pore water, two-way coupled: with velocities v* that hold the effective stress and all other
@@ -140,6 +142,8 @@ class CoupledFlow {
   /// Solves for the pressure. False where the solver does not converge: velocity() is then of no
   /// use, and the step may be tried again with another length for the same points.
   [[nodiscard]] bool solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool);
+  /// The pressures that were found are those of the step. ends: the next one has its own points.
+  void end_step(const FlowStep<D>& step, bool ends, ThreadPool& pool);
   /// Why the last solve failed, after the step has been halved so many times; `end`: of the step.
   std::string failure(double end, int halvings) const;
   int most_halvings() const { return setup_.halvings; }
@@ -187,6 +191,8 @@ class CoupledFlow {
   double own_ratio(std::int64_t id, double volume_ratio) const;
   double number(std::int64_t id, int row) const { return states_.at(states_.place(id), row); }
   double stored_volume(std::int64_t id) const;
+  template <class Self>
+  static auto nodal_fields(Self& self);
   void save_nodes(StateWriter& writer) const;
   bool load_nodes(const StateReader& reader);
   bool load_pores(const StateReader& reader);
@@ -197,7 +203,11 @@ class CoupledFlow {
   void keep(const FlowChunk<D>& chunk, const FlowPoints<D>& points);
   void fold_volume(bool again);
   void make_system(const FlowStep<D>& step, ThreadPool& pool);
-  void add_schur(const FlowStep<D>& step, ThreadPool& pool);
+  template <class Add>
+  void sum_up(AlignedVector<double>& sums, Add&& add);
+  void sum_matrix(const FlowStep<D>& step, ThreadPool& pool);
+  void sum_once(const FlowStep<D>& step, ThreadPool& pool);
+  void subtract_missed(const FlowStep<D>& step);
   void add_held(double factor);
   void finish_matrix(ThreadPool& pool);
   bool solve_system();
@@ -207,8 +217,8 @@ class CoupledFlow {
   Vec3<double> push_group(const FlowStep<D>& step, const NodeGroup<D>& group,
                           const std::vector<double>& force);
   std::array<double, 3> position(std::int64_t record, const Topology<D>& topology) const;
-  void gather(const FlowStep<D>& step, ThreadPool& pool);
-  void gather_run(const FlowStep<D>& step, const FlowChunk<D>& chunk, const FlowRun<D>& run);
+  void gather_run(const FlowStep<D>& step, bool ends, const FlowChunk<D>& chunk,
+                  const FlowRun<D>& run);
   void settle(const double* pressure, std::int64_t first, int count);
 
   CouplingSetup setup_;
@@ -229,8 +239,8 @@ class CoupledFlow {
   PointOrder<D> order_;
   KeptPoints<D> points_;
   bool loaded_ = false;  ///< points may have moments
-  /// 1/L sum Q^T M^-1 Q in the matrix's stencils; empty: not known for these points.
-  AlignedVector<double> schur_;
+  /// S, H and 1/L sum Q^T M^-1 Q in the matrix's stencils; empty: not known for these points.
+  AlignedVector<double> storage_, conductance_, schur_;
   bool folded_ = false;                ///< volume_, as the constraints have it
   std::vector<std::uint64_t> blocks_;  ///< of the topology that volume_ knows
   std::vector<double> solution_;       ///< by row
@@ -242,6 +252,7 @@ class CoupledFlow {
   std::vector<double> half_side_;  ///< of each body's boxes at t = 0 [m]
   std::vector<double> biot_;       ///< of each body
   PoreStates<D> states_;
+  MissedVolume missed_;
   std::vector<std::int32_t> point_of_;          ///< by place
   std::vector<std::array<double, D * D>> own_;  ///< by particle id: increments of the last step
   std::array<double, std::size_t(Part::count)> seconds_{};

@@ -79,7 +79,7 @@ void CoupledFlow<D>::fill(const FlowVector<D>& particles, const FlowChunk<D>& ch
     for (int b = 0; b < D; ++b) c[a][b] = scree::load<Wide>(particles.increment[a * D + b]);
     trace = trace + c[a][a];
   }
-  constexpr int fields = 3 * D + 4;  // as they are listed below
+  constexpr int fields = 3 * D + 5;  // as they are listed below
   alignas(64) double value[fields][width];
   Wide now[D][D];
   const double side = half_side_[std::size_t(chunk.body)] / h_;
@@ -102,7 +102,7 @@ void CoupledFlow<D>::fill(const FlowVector<D>& particles, const FlowChunk<D>& ch
   const Wide storage =
       porosity * (1 / pores.fluid_modulus) + (pores.biot - porosity) * pores.grain_compliance;
   const Wide space = ratio * flow.particle_volume, room = space * storage;
-  const Wide defect = (ratio - before * (trace + 1.0)) * (pores.biot * flow.particle_volume);
+  const Wide missed = (ratio - before * (trace + 1.0)) * (pores.biot * flow.particle_volume);
   Wide k = broadcast<Wide>(pores.mobility);
   if (pores.kozeny_carman) {
     const Wide r = porosity / pores.porosity, s = (1 - pores.porosity) / (1.0 - porosity);
@@ -115,7 +115,8 @@ void CoupledFlow<D>::fill(const FlowVector<D>& particles, const FlowChunk<D>& ch
   store(value[3 * D], space);
   store(value[3 * D + 1], room);
   store(value[3 * D + 2], k);
-  store(value[3 * D + 3], room * scree::load<Wide>(state[Row::pressure]) - defect);
+  store(value[3 * D + 3], room * scree::load<Wide>(state[Row::base]));
+  store(value[3 * D + 4], missed);
   const auto spot = order_.find(chunk, particles.position);
   double* field[fields] = {};
   for (std::size_t a = 0; a < D; ++a) {
@@ -129,6 +130,7 @@ void CoupledFlow<D>::fill(const FlowVector<D>& particles, const FlowChunk<D>& ch
   field[3 * D + 1] = points.capacity.data();
   field[3 * D + 2] = points.mobility.data();
   field[3 * D + 3] = points.content.data();
+  field[3 * D + 4] = points.missed.data();
   for (int i = 0; i < particles.count; ++i) {
     const std::size_t p = std::size_t(order_.place(chunk, particles.first + i));
     SCREE_UNROLL for (int f = 0; f < fields; ++f) field[f][p] = value[f][i];
@@ -171,13 +173,17 @@ std::optional<SurfacePoint<D>> CoupledFlow<D>::surface_point(std::int64_t id) co
 
 /// Pressure and seepage of the particles, where the stride ends or somebody looks.
 template <int D>
-void CoupledFlow<D>::gather(const FlowStep<D>& step, ThreadPool& pool) {
+void CoupledFlow<D>::end_step(const FlowStep<D>& step, bool ends, ThreadPool& pool) {
+  auto start = Clock::now();
+  missed_.advance(step.dt);
   surfaces_.add_outflow(matrix_, solution_, step.dt, outflow_);
-  if (!step.ends && !step.record) return;
-  pool.for_each(std::int64_t(chunks_.size()), [&](std::int64_t c, int) {
-    const FlowChunk<D>& chunk = chunks_[std::size_t(c)];
-    for (const FlowRun<D>& run : chunk.runs) gather_run(step, chunk, run);
-  });
+  if (ends || step.record) {
+    pool.for_each(std::int64_t(chunks_.size()), [&](std::int64_t c, int) {
+      const FlowChunk<D>& chunk = chunks_[std::size_t(c)];
+      for (const FlowRun<D>& run : chunk.runs) gather_run(step, ends, chunk, run);
+    });
+  }
+  time_part(Part::points, start);
 }
 
 /// The pressures of the points from `first` on become those that the next ones begin with. What is
@@ -195,7 +201,7 @@ void CoupledFlow<D>::settle(const double* pressure, std::int64_t first, int coun
 }
 
 template <int D>
-void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowChunk<D>& chunk,
+void CoupledFlow<D>::gather_run(const FlowStep<D>& step, bool ends, const FlowChunk<D>& chunk,
                                 const FlowRun<D>& run) {
   constexpr int corners = 1 << D, width = lanes_of<Wide>;
   using Row = PoreRow<D>;
@@ -219,7 +225,7 @@ void CoupledFlow<D>::gather_run(const FlowStep<D>& step, const FlowChunk<D>& chu
     alignas(64) double pressure[width];
     store(pressure, value);
     const int count = int(std::min<std::int64_t>(width, end - first));
-    if (step.ends) settle(pressure, first, count);
+    if (ends) settle(pressure, first, count);
     for (int i = 0; i < count; ++i) {
       states_.at(points_.place[std::size_t(first + i)], Row::pressure) = pressure[i];
     }

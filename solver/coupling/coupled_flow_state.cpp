@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the outside asks of the pore water, and its part of a checkpoint.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "solver/base/error.hpp"
 #include "solver/coupling/coupled_flow.hpp"
@@ -75,6 +78,29 @@ FluidBalance CoupledFlow<D>::balance(double mass) const {
 }
 
 template <int D>
+std::vector<std::pair<std::string, double>> CoupledFlow<D>::times() const {
+  const auto at = [this](Part part) { return seconds_[std::size_t(part)]; };
+  return {{"pore_points", at(Part::points)},
+          {"pore_constraints", at(Part::constraints)},
+          {"pore_matrix", at(Part::matrix)},
+          {"pore_solve", at(Part::solve)},
+          {"pore_forces", at(Part::forces)}};
+}
+
+template <int D>
+std::string CoupledFlow<D>::failure(double end, int halvings) const {
+  const std::string halved =
+      halvings == 0
+          ? "coupling.halvings, which repeats such a step with half its length"
+          : fmt::format("more coupling.halvings (the step was halved {} times)", halvings);
+  return fmt::format(
+      "pore pressure at t = {:.6g} s: the solver stopped after {} iterations with a relative "
+      "residual of {:.3g} ({}); try coupling.preconditioner = \"icc\" or \"gamg\", a larger "
+      "coupling.tolerance, a shorter time step, or {}",
+      end, report_.iterations, report_.residual, report_.reason, halved);
+}
+
+template <int D>
 GridSnapshot CoupledFlow<D>::grid() const {
   GridSnapshot out;
   out.lattice = "pressure";
@@ -105,10 +131,12 @@ GridSnapshot CoupledFlow<D>::grid() const {
 
 template <int D>
 std::int64_t CoupledFlow<D>::bytes() const {
-  const std::size_t numbers = schur_.capacity() + solution_.capacity() + 3 * nodal_[0].capacity() +
-                              force_.capacity() + D * D * own_.capacity();
+  const std::size_t numbers = storage_.capacity() + conductance_.capacity() + schur_.capacity() +
+                              solution_.capacity() + 3 * nodal_[0].capacity() + force_.capacity() +
+                              D * D * own_.capacity();
   return std::int64_t(8 * numbers + 4 * point_of_.capacity()) + states_.bytes() + points_.bytes() +
-         order_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes();
+         order_.bytes() + volume_.bytes() + cells_.bytes() + matrix_.bytes() + product_.bytes() +
+         constraints_.bytes() + missed_.bytes();
 }
 
 namespace {
@@ -159,23 +187,38 @@ void CoupledFlow<D>::save(StateWriter& writer) const {
   save_nodes(writer);
 }
 
-constexpr std::array<const char*, 3> nodal_names = {
-    "coupling/nodal_pressure", "coupling/earlier_pressure", "coupling/earliest_pressure"};
+/// What belongs to the nodes of the pressure: the solver starts from the first three.
+template <int D>
+template <class Self>
+auto CoupledFlow<D>::nodal_fields(Self& self) {
+  using Field =
+      std::conditional_t<std::is_const_v<Self>, const std::vector<double>, std::vector<double>>;
+  std::vector<std::pair<const char*, Field*>> fields = {
+      {"coupling/nodal_pressure", &self.nodal_[0]},
+      {"coupling/earlier_pressure", &self.nodal_[1]},
+      {"coupling/earliest_pressure", &self.nodal_[2]}};
+  if (self.missed_.spreads()) {
+    fields.emplace_back("coupling/missed_foreseen", &self.missed_.foreseen());
+    fields.emplace_back("coupling/missed_left", &self.missed_.left());
+  }
+  return fields;
+}
 
-/// The solver starts from these, so they belong to the state.
 template <int D>
 void CoupledFlow<D>::save_nodes(StateWriter& writer) const {
+  const auto fields = nodal_fields(*this);
   std::vector<std::int64_t> nodes;
   for (std::size_t n = 0; n < nodal_[0].size(); ++n) {
-    if (nodal_[0][n] != 0 || nodal_[1][n] != 0 || nodal_[2][n] != 0)
-      nodes.push_back(std::int64_t(n));
+    const auto there = [n](const auto& field) { return (*field.second)[n] != 0; };
+    if (std::any_of(fields.begin(), fields.end(), there)) nodes.push_back(std::int64_t(n));
   }
   writer.put("coupling/nodes", nodes);
-  for (std::size_t k = 0; k < nodal_.size(); ++k) {
+  for (const auto& [name, field] : fields) {
     std::vector<double> values;
-    for (const std::int64_t n : nodes) values.push_back(nodal_[k][std::size_t(n)]);
-    writer.put(nodal_names[k], values);
+    for (const std::int64_t n : nodes) values.push_back((*field)[std::size_t(n)]);
+    writer.put(name, values);
   }
+  writer.put("coupling/missed_times", missed_.times());
 }
 
 /// False: the numbers do not match.
@@ -187,12 +230,13 @@ bool CoupledFlow<D>::load_nodes(const StateReader& reader) {
                   [&](std::int64_t n) { return n < 0 || n >= known; })) {
     return false;
   }
-  for (std::size_t k = 0; k < nodal_.size(); ++k) {
-    const auto values = reader.get<double>(nodal_names[k]);
+  for (const auto& [name, field] : nodal_fields(*this)) {
+    const auto values = reader.get<double>(name);
     if (values.size() != nodes.size()) return false;
-    nodal_[k].assign(nodal_[k].size(), 0.0);
-    for (std::size_t n = 0; n < nodes.size(); ++n) nodal_[k][std::size_t(nodes[n])] = values[n];
+    field->assign(field->size(), 0.0);
+    for (std::size_t n = 0; n < nodes.size(); ++n) (*field)[std::size_t(nodes[n])] = values[n];
   }
+  missed_.resume(reader.get<double>("coupling/missed_times"));
   return true;
 }
 

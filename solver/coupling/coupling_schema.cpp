@@ -72,7 +72,7 @@ Schema<CouplingSpec> make_coupling_schema() {
   s.number("stride_drift", &CouplingSpec::stride_drift)
       .at_least(0)
       .at_most(0.05)
-      .fallback(0.005)
+      .fallback(0.001)
       .doc(
           "Cells by which a particle may move meanwhile: before one is farther, all act from where "
           "they are by then.");

@@ -72,7 +72,7 @@ struct CouplingSetup {
   /// Fused path: steps that particles may act on the grid from one place, and how far they may move
   /// meanwhile [cells].
   int stride = 64;
-  double stride_drift = 0.005;
+  double stride_drift = 0.001;
   std::vector<DrainageSetup> drainage;
 };
 

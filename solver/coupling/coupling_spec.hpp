@@ -20,7 +20,7 @@ struct CouplingSpec {
   std::string solver_options;         ///< PETSc options with the prefix scree_p_
   int halvings = 0;                   ///< of a step whose solve does not converge
   int stride = 64;                    ///< steps that may share their points
-  double stride_drift = 0.005;        ///< of particles in such steps, in cells
+  double stride_drift = 0.001;        ///< of particles in such steps, in cells
   std::optional<double> water_table;  ///< coordinate along gravity's axis, m
   Formula initial_pressure;           ///< Pa, of x, y, z
 };

@@ -45,39 +45,46 @@ Vec3<double> DrainedSurfaces<D>::position(const SurfacePoint<D>& point,
 template <int D>
 void DrainedSurfaces<D>::add_place(const Face& face, const SurfacePoint<D>& point,
                                    const Mat3<double>& deformation, const Vec3<double>& middle,
-                                   double t, double h, PressureMatrix<D>& matrix) {
-  constexpr int corners = 1 << D;
+                                   double h) {
   const Vec3<double> offset = deformation * face.offset;
-  const double area = norm(cofactor(deformation) * face.area);
-  double x[3] = {}, xi[D];
-  for (int a = 0; a < D; ++a) {
-    // The hats of the particle's own cell, extended: no node is used that has no particle.
-    xi[a] = point.xi[std::size_t(a)] + offset[a] / h;
-    x[a] = middle[a] + offset[a];
-  }
-  const DrainageSetup& setup = setups_[std::size_t(face.surface)];
-  const double value = setup.value ? setup.value(x, t) : 0.0;
-  if (!std::isfinite(value)) {
-    throw RunFault(
-        fmt::format("drainage.{}: its value is not finite at t = {:.6g} s", setup.name, t));
-  }
   Place place{};
   place.surface = face.surface;
   place.cell = point.cell;
+  place.area = norm(cofactor(deformation) * face.area);
+  double xi[D];
+  for (int a = 0; a < D; ++a) {
+    // The hats of the particle's own cell, extended: no node is used that has no particle.
+    xi[a] = point.xi[std::size_t(a)] + offset[a] / h;
+    place.x[a] = middle[a] + offset[a];
+  }
   hats<D>(xi, place.n);
-  const bool flux = setup.type == DrainageType::flux;
-  place.conductance = flux ? 0.0 : layers * point.mobility / h * area;
-  place.given = flux ? 0.0 : value;
-  place.flux = flux ? value * area : 0.0;
+  const bool flux = setups_[std::size_t(face.surface)].type == DrainageType::flux;
+  place.conductance = flux ? 0.0 : layers * point.mobility / h * place.area;
   place.density = point.fluid_density;
   places_.push_back(place);
-  for (int j = 0; j < corners; ++j) {
-    const PressureNode<D> from = corner<D>(point.cell, j);
-    const std::int32_t row = matrix.row(from);
-    matrix.rhs()[std::size_t(row)] += place.n[j] * (place.conductance * place.given - place.flux);
-    for (int l = 0; l < corners; ++l) {
-      matrix.add(row, matrix.offset_index(from, corner<D>(point.cell, l)),
-                 place.conductance * place.n[j] * place.n[l]);
+}
+
+template <int D>
+void DrainedSurfaces<D>::add(double t, PressureMatrix<D>& matrix) {
+  constexpr int corners = 1 << D;
+  for (Place& place : places_) {
+    const DrainageSetup& setup = setups_[std::size_t(place.surface)];
+    const double value = setup.value ? setup.value(place.x, t) : 0.0;
+    if (!std::isfinite(value)) {
+      throw RunFault(
+          fmt::format("drainage.{}: its value is not finite at t = {:.6g} s", setup.name, t));
+    }
+    const bool flux = setup.type == DrainageType::flux;
+    place.given = flux ? 0.0 : value;
+    place.flux = flux ? value * place.area : 0.0;
+    for (int j = 0; j < corners; ++j) {
+      const PressureNode<D> from = corner<D>(place.cell, j);
+      const std::int32_t row = matrix.row(from);
+      matrix.rhs()[std::size_t(row)] += place.n[j] * (place.conductance * place.given - place.flux);
+      for (int l = 0; l < corners; ++l) {
+        matrix.add(row, matrix.offset_index(from, corner<D>(place.cell, l)),
+                   place.conductance * place.n[j] * place.n[l]);
+      }
     }
   }
 }

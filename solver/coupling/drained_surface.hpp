@@ -38,21 +38,26 @@ class DrainedSurfaces {
 
   bool empty() const { return faces_.empty(); }
 
-  /// Adds the surfaces' part at time t to the system. find(id): the point of a particle, nothing if
-  /// it left; deformation(id): its F since t = 0; h: spacing of the pressure nodes [m]; lower,
-  /// cell_size: to turn points into positions.
+  /// The points are others: place() before the next add().
+  void forget() { placed_ = false; }
+  /// Finds the faces by their particles' points, if they are not known. find(id): the point of a
+  /// particle, nothing if it left; deformation(id): its F since t = 0; h: spacing of the pressure
+  /// nodes [m]; lower, cell_size: to turn points into positions.
   template <class Find, class Deformation>
-  void add(Find&& find, Deformation&& deformation, double t, double h, double cell_size,
-           const PressureLattice<D>& lattice, const std::array<double, 3>& lower,
-           PressureMatrix<D>& matrix) {
+  void place(Find&& find, Deformation&& deformation, double h, double cell_size,
+             const PressureLattice<D>& lattice, const std::array<double, 3>& lower) {
+    if (placed_) return;
     places_.clear();
     for (const Face& face : faces_) {
       const std::optional<SurfacePoint<D>> p = find(face.id);
       if (!p) continue;
       const Vec3<double> middle = position(*p, lattice, lower, cell_size);
-      add_place(face, *p, deformation(face.id), middle, t, h, matrix);
+      add_place(face, *p, deformation(face.id), middle, h);
     }
+    placed_ = true;
   }
+  /// Adds the surfaces' part at time t to the system.
+  void add(double t, PressureMatrix<D>& matrix);
 
   std::size_t count() const { return setups_.size(); }
   /// Adds to each surface's entry of `mass` the water that flowed out over the step dt at the
@@ -66,22 +71,26 @@ class DrainedSurfaces {
     std::int64_t id;
     Vec3<double> area, offset;  ///< at t = 0
   };
-  /// A face as the last add() saw it: outflow = sum_k n_k conductance (p_k - given) + flux.
+  /// A face among the points: outflow = sum_k n_k conductance (p_k - given) + flux.
   struct Place {
     std::int32_t surface;
     PressureNode<D> cell;
+    double x[3];  ///< [m]
+    double area;  ///< [m^2] (2D: m)
     double n[1 << D];
-    double conductance, given, flux, density;
+    double conductance, density;
+    double given, flux;  ///< as the last add() saw them
   };
 
   static Vec3<double> position(const SurfacePoint<D>& point, const PressureLattice<D>& lattice,
                                const std::array<double, 3>& lower, double cell_size);
   void add_place(const Face& face, const SurfacePoint<D>& point, const Mat3<double>& deformation,
-                 const Vec3<double>& middle, double t, double h, PressureMatrix<D>& matrix);
+                 const Vec3<double>& middle, double h);
 
   std::vector<DrainageSetup> setups_;
   std::vector<Face> faces_;
   std::vector<Place> places_;
+  bool placed_ = false;
 };
 
 extern template class DrainedSurfaces<2>;

@@ -46,8 +46,9 @@ struct FlowPoints {
   Field volume;               ///< present volume [m^3] (2D: m^2)
   Field capacity;             ///< volume/M [m^3/Pa]
   Field mobility;             ///< [m^2/(Pa s)]
-  Field content;  ///< capacity p - alpha d [m^3]: p pressure at the step's start, d volume change
-                  ///< of the last step that tr(dt grad v) missed
+  Field content;              ///< capacity times the pressure at the step's start [m^3]
+  Field missed;  ///< alpha times the change of volume since the last points that the sum of
+                 ///< tr(dt grad v) missed [m^3]
   std::vector<std::int64_t> place;  ///< in PoreStates
   std::vector<char> loaded;         ///< by a traction: its moment counts
   /// Of loaded points: sum over faces of force (row) times place of the face from the point
@@ -61,7 +62,7 @@ struct FlowPoints {
         f->resize(room);
       }
     }
-    for (Field* f : {&volume, &capacity, &mobility, &content}) f->resize(room);
+    for (Field* f : {&volume, &capacity, &mobility, &content, &missed}) f->resize(room);
     place.resize(std::size_t(points));
     loaded.assign(with_moments ? std::size_t(points) : 0, 0);
     moments.resize(loaded.size());

@@ -25,6 +25,17 @@ bool NodeConstraints<D>::same_nodes(const GridDecisions<D>& grid) const {
   return mass_ == known_.mass && *grid.folded == known_.folded;
 }
 
+/// Whether what a face holds depends on the velocities.
+template <int D>
+bool NodeConstraints<D>::slides_or_leaves(const GridDecisions<D>& grid) {
+  for (const auto& axis : grid.faces->type) {
+    for (const FaceType type : axis) {
+      if (type == FaceType::separate || type == FaceType::friction) return true;
+    }
+  }
+  return false;
+}
+
 template <int D>
 void NodeConstraints<D>::follow_folds(const GridDecisions<D>& grid) {
   link_.assign(mass_.size(), Link{});
@@ -185,6 +196,17 @@ void NodeConstraints<D>::hold_by_colliders(const std::vector<double>& velocity,
       for (int b = 0; b < D; ++b) group.inverse[a][b] -= y[a] * y[b] / size;
     }
   }
+}
+
+template <int D>
+std::int64_t NodeConstraints<D>::bytes() const {
+  const auto of = [](const Found& f) {
+    return sizeof(InverseMass<D>) * f.inverse.capacity() +
+           sizeof(NodeGroup<D>) * f.groups.capacity() +
+           sizeof(typename NodeGroup<D>::Member) * f.members.capacity();
+  };
+  return std::int64_t(8 * (mass_.capacity() + known_.mass.capacity()) + of(found_) + of(before_) +
+                      sizeof(Link) * link_.capacity() + held_.capacity() + special_.capacity());
 }
 
 template class NodeConstraints<2>;

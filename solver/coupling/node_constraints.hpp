@@ -49,6 +49,10 @@ class NodeConstraints {
   /// Masses of the nodes as scattered, before faces fold them; set by the caller in every step.
   std::vector<double>& masses() { return mass_; }
 
+  /// The nodes are others than in the last find().
+  void forget() { known_ = {}; }
+  std::int64_t bytes() const;
+
   /// velocity: D entries a node, after the grid update. position(record): of a node [m].
   /// `touch`: relative velocities below this share of a node's speed count as contact.
   template <class Position>
@@ -65,6 +69,7 @@ class NodeConstraints {
  private:
   using Signs = std::array<std::int8_t, D>;
   bool same_nodes(const GridDecisions<D>& grid) const;
+  static bool slides_or_leaves(const GridDecisions<D>& grid);
   void follow_folds(const GridDecisions<D>& grid);
   template <class Position>
   void hold_nodes(const std::vector<double>& velocity, const std::vector<Collider>& colliders,
@@ -109,7 +114,7 @@ void NodeConstraints<D>::find(const GridDecisions<D>& grid, const std::vector<do
                               double touch) {
   const bool same = same_nodes(grid);
   if (!same) follow_folds(grid);
-  hold_walls(grid, velocity);
+  if (!same || slides_or_leaves(grid)) hold_walls(grid, velocity);
   unchanged_ = same && held_ == known_.held;
   if (unchanged_ && colliders.empty()) return;
   if (!unchanged_) known_ = {mass_, *grid.folded, held_};

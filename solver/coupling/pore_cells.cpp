@@ -219,6 +219,7 @@ void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, c
       }
       group.capacity[v] = select(there, field(points.capacity), 0.0);
       group.content[v] = select(there, field(points.content), 0.0);
+      group.missed[v] = select(there, field(points.missed), 0.0);
       group.conductance[v] =
           select(folds ? whole : there, field(points.volume) * field(points.mobility), 0.0);
       const MaskOf<Wide> cut = there & !whole;
@@ -226,7 +227,7 @@ void PoreCells<D>::add_run(const FlowPoints<D>& points, const FlowRun<D>& run, c
         if (lane(cut, l)) add_flow(points, std::size_t(at + l), around, !folds, m.h, density);
       }
     }
-    add_storage(group, v, sums);
+    scree::add_storage(group, v, sums);
     scree::add_flow(group, v, sums);
     add_source(group, v, sums);
   }
@@ -243,7 +244,10 @@ void PoreCells<D>::take(const PoreSums<D>& sums, const Measures& m, double densi
           sum_lanes(sums.flow[i / lines][i % lines][k]) / (m.h * m.h);
     }
   }
-  for (int k = 0; k < corners; ++k) cell.content[k] += sum_lanes(sums.content[k]);
+  for (int k = 0; k < corners; ++k) {
+    cell.content[k] += sum_lanes(sums.content[k]);
+    cell.missed[k] += sum_lanes(sums.missed[k]);
+  }
   for (int a = 0; a < D; ++a) {
     double pull[PoreSums<D>::others];
     for (int n = 0; n < PoreSums<D>::others; ++n) {
@@ -327,7 +331,7 @@ double PoreCells<D>::conductance(const Cell& cell, int j, int l) {
   return value;
 }
 
-/// S p of corner j, less the defect.
+/// S p of corner j.
 template <int D>
 double PoreCells<D>::content(const Cell& cell, int j, const double* nodal) const {
   if (nodal == nullptr) return cell.content[j];
@@ -339,9 +343,33 @@ double PoreCells<D>::content(const Cell& cell, int j, const double* nodal) const
 }
 
 template <int D>
-void PoreCells<D>::add(double dt, const std::array<double, 3>& gravity, const double* nodal,
-                       PressureMatrix<D>& matrix) const {
-  const double per_dt = 1 / dt;
+void PoreCells<D>::add_sources(double dt, const std::array<double, 3>& gravity, const double* nodal,
+                               PressureMatrix<D>& matrix) const {
+  for (const Cell& cell : cells_) {
+    for (int j = 0; j < corners; ++j) {
+      double source = content(cell, j, nodal) / dt;
+      for (int a = 0; a < D; ++a) source += gravity[std::size_t(a)] * cell.weight[a][j];
+      matrix.rhs()[std::size_t(matrix.row(corner<D>(cell.lower, j)))] += source;
+    }
+  }
+}
+
+template <int D>
+std::vector<double> PoreCells<D>::missed() const {
+  std::vector<double> missed(std::size_t(lattice_.size()), 0.0);
+  for (const Cell& cell : cells_) {
+    for (int j = 0; j < corners; ++j) {
+      missed[std::size_t(lattice_.index(corner<D>(cell.lower, j)))] += cell.missed[j];
+    }
+  }
+  return missed;
+}
+
+/// matrix += factor times an operator that is a sum over cells, product(cell, j, l) for its corners
+/// j and l.
+template <int D>
+void PoreCells<D>::add_products(double factor, double (*product)(const Cell&, int, int),
+                                PressureMatrix<D>& matrix) const {
   int offset[corners][corners];
   for (int j = 0; j < corners; ++j) {
     for (int l = 0; l < corners; ++l) {
@@ -349,18 +377,9 @@ void PoreCells<D>::add(double dt, const std::array<double, 3>& gravity, const do
     }
   }
   for (const Cell& cell : cells_) {
-    std::int32_t row[corners];
     for (int j = 0; j < corners; ++j) {
-      row[j] = matrix.row(corner<D>(cell.lower, j));
-      double source = per_dt * content(cell, j, nodal);
-      for (int a = 0; a < D; ++a) source += gravity[std::size_t(a)] * cell.weight[a][j];
-      matrix.rhs()[std::size_t(row[j])] += source;
-    }
-    for (int j = 0; j < corners; ++j) {
-      for (int l = j; l < corners; ++l) {
-        const double value = per_dt * storage(cell, j, l) + conductance(cell, j, l);
-        matrix.add(row[j], offset[j][l], value);
-      }
+      const std::int32_t row = matrix.row(corner<D>(cell.lower, j));
+      for (int l = j; l < corners; ++l) matrix.add(row, offset[j][l], factor * product(cell, j, l));
     }
   }
 }

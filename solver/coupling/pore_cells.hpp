@@ -55,10 +55,18 @@ class PoreCells {
   void add(const FlowPoints<D>& points, const FlowChunk<D>& chunk, const Measures& m,
            double density);
 
-  /// matrix += S/dt + H; rhs += S p/dt - defect/dt + weight of the water. p: of the points; where
-  /// `nodal` is not null, by lattice node instead, and there is no defect.
-  void add(double dt, const std::array<double, 3>& gravity, const double* nodal,
-           PressureMatrix<D>& matrix) const;
+  /// matrix += factor S.
+  void add_storage(double factor, PressureMatrix<D>& matrix) const {
+    add_products(factor, &storage, matrix);
+  }
+  /// matrix += H.
+  void add_flow(PressureMatrix<D>& matrix) const { add_products(1, &conductance, matrix); }
+  /// Right-hand side += S p/dt + weight of the water. p: of the points; where `nodal` is not null,
+  /// by lattice node instead.
+  void add_sources(double dt, const std::array<double, 3>& gravity, const double* nodal,
+                   PressureMatrix<D>& matrix) const;
+  /// Missed volume of the points in the hats of the nodes, by lattice node [m^3].
+  std::vector<double> missed() const;
 
   std::int64_t bytes() const;
 
@@ -69,7 +77,7 @@ class PoreCells {
   struct alignas(32) Cell {
     double storage[3 * lines][4] = {};
     double flow[D][lines][4] = {};  ///< by the axis of the slopes: products of the others
-    double content[corners] = {};
+    double content[corners] = {}, missed[corners] = {};
     double weight[D][corners] = {};  ///< by the axis of gravity
     PressureNode<D> lower{};
   };
@@ -83,6 +91,8 @@ class PoreCells {
 
   static double storage(const Cell& cell, int j, int l);
   static double conductance(const Cell& cell, int j, int l);
+  void add_products(double factor, double (*product)(const Cell&, int, int),
+                    PressureMatrix<D>& matrix) const;
   double content(const Cell& cell, int j, const double* nodal) const;
   Surroundings surroundings(const PressureNode<D>& home) const;
   static bool near_wall(const Surroundings& around, double largest_half);

@@ -19,6 +19,7 @@ struct PoreSums {
   Wide storage[3 * lines][3];  ///< capacity times products of hats, axis by axis
   Wide flow[D][lines][3];      ///< conductance over the part in the cell, see PoreCells
   Wide content[1 << D];        ///< content times hats
+  Wide missed[1 << D];         ///< missed volume times hats
   Wide weight[D][others];      ///< conductance times the hats of the other axes
 };
 
@@ -35,7 +36,7 @@ struct PorePoints {
     Wide share;
   };
   Axis axis[most][D];
-  Wide capacity[most], content[most], conductance[most];
+  Wide capacity[most], content[most], missed[most], conductance[most];
 };
 
 /// Sets the parts of an axis of a vector of points: xi, half sides; the cell is between `bounds`.
@@ -115,18 +116,19 @@ void add_flow(const PorePoints<D>& points, int vectors, PoreSums<D>& sums) {
   if constexpr (D == 3) add_axis_flow<2>(points, vectors, sums);
 }
 
-/// Content, and conductance times what the slopes along each axis are made of.
+/// Content, missed volume, and conductance times what the slopes along each axis are made of.
 template <int D>
 void add_source(const PorePoints<D>& points, int vectors, PoreSums<D>& sums) {
   using Wide = Lanes<double>;
   for (int v = 0; v < vectors; ++v) {
     const auto& axis = points.axis[v];
     SCREE_UNROLL for (int k = 0; k < (1 << D); ++k) {
-      Wide n = points.content[v];
-      SCREE_UNROLL for (int a = 0; a < D; ++a) {
+      Wide n = (k >> (D - 1) & 1) != 0 ? axis[0].x : 1.0 - axis[0].x;
+      SCREE_UNROLL for (int a = 1; a < D; ++a) {
         n = n * ((k >> (D - 1 - a) & 1) != 0 ? axis[a].x : 1.0 - axis[a].x);
       }
-      sums.content[k] = sums.content[k] + n;
+      sums.content[k] = mul_add(points.content[v], n, sums.content[k]);
+      sums.missed[k] = mul_add(points.missed[v], n, sums.missed[k]);
     }
     for (int a = 0; a < D; ++a) {
       const Wide own = points.conductance[v] * axis[a].share;

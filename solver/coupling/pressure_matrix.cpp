@@ -33,7 +33,7 @@ bool PressureMatrix<D>::set_nodes(const std::vector<char>& marks, bool compress)
     }
     if (compress) build_pattern();
   }
-  half_.assign(nodes_.size() * std::size_t(centre_ + 1), 0.0);
+  half_.resize(nodes_.size() * std::size_t(centre_ + 1));
   values_.resize(columns_.size());
   rhs_.assign(nodes_.size(), 0.0);
   return !same;

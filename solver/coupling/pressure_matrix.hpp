@@ -22,8 +22,9 @@ class PressureMatrix {
  public:
   PressureMatrix(const PressureLattice<D>& lattice, int reach);
 
-  /// Takes the nodes whose mark is set; true if the set has changed. Values are zeroed. compress:
-  /// compressed rows and finish() will be asked for.
+  /// Takes the nodes whose mark is set; true if the set has changed. The right-hand side is zeroed,
+  /// and the stencils' values are of no use. compress: compressed rows and finish() will be asked
+  /// for.
   bool set_nodes(const std::vector<char>& marks, bool compress);
 
   int rows() const { return int(nodes_.size()); }
@@ -60,6 +61,8 @@ class PressureMatrix {
   int centre() const { return centre_; }
   /// The stencils of all rows.
   AlignedVector<double>& stencils() { return half_; }
+  const AlignedVector<double>& stencils() const { return half_; }
+  void clear() { half_.assign(half_.size(), 0.0); }
 
   /// Fills values().
   void finish();

@@ -264,7 +264,9 @@ void VolumeOperator<D>::unfold() {
 
 template <int D>
 std::int64_t VolumeOperator<D>::bytes() const {
-  return std::int64_t(8 * (q_.capacity() + load_.capacity() + pencils_.capacity()) +
+  std::size_t kept = 0;
+  for (const Unfolded& node : unfolded_) kept += sizeof(Unfolded) + 8 * node.q.capacity();
+  return std::int64_t(kept + 8 * (q_.capacity() + load_.capacity() + pencils_.capacity()) +
                       sizeof(PressureNode<D>) * groups_.capacity() +
                       4 * (record_.capacity() + place_.capacity() + group_at_.capacity()) +
                       empty_.capacity());

@@ -340,8 +340,9 @@ class CpuGroup {
   [[gnu::always_inline]] void prefetch(int i) const {
     const T* p = data_.particles + stored_batch(i) * data_.fields * stored;
     for (int f = 0; f < data_.fields; ++f) __builtin_prefetch(p + f * stored, 0, 2);
-    if (data_.layout.growth < 0) return;
-    const T* q = data_.aux + (stored_batch(i) * data_.layout.total + data_.layout.growth) * stored;
+    const int growth = data_.stride.fields.growth;
+    if (growth < 0) return;
+    const T* q = data_.aux + (stored_batch(i) * data_.layout.total + growth) * stored;
     for (int f = 0; f < 2; ++f) __builtin_prefetch(q + f * stored, 0, 2);  // growth, gained
   }
 

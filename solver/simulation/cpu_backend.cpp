@@ -102,6 +102,7 @@ PassData<D, T> CpuBackend<D, T>::pass_data(std::size_t body, const PassParameter
   data.write[0] = current_.data();
   data.write[1] = extra_.data();
   data.results = blocks.results.data();
+  data.stride = stride_;
   return data;
 }
 

@@ -34,6 +34,7 @@ class CpuBackend final : public Backend<D, T> {
   void g2p(const Parameters& parameters) override;
   void average_volumes(const Parameters& parameters) override;
   void stress(const Parameters& parameters) override;
+  void set_stride(const StrideStep<T>& step) override { stride_ = step; }
   void g2p2g(const Parameters& parameters) override;
   PassReport<D> report() override;
   const std::vector<Reaction>& reactions() const override { return grid_update_.reactions(); }
@@ -72,6 +73,7 @@ class CpuBackend final : public Backend<D, T> {
   AlignedVector<T> extra_;       ///< channel 1: impulses, then velocity changes
   AlignedVector<T> volumes_[2];  ///< average_volumes(): sums, then means of its two channels
   std::vector<Blocks> blocks_;
+  StrideStep<T> stride_;
   double grid_mass_ = 0;
 };
 

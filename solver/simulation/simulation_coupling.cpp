@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pore water in the step: what CoupledFlow needs of particles and grid, and back.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -23,6 +24,7 @@ void SimulationImpl<D, T>::make_flow() {
   domain.lower = setup_.lower;
   domain.cell_size = setup_.cell_size;
   domain.own_increments = averages();
+  if (fused_) domain.stride = setup_.coupling->stride;
   for (int a = 0; a < D; ++a) {
     domain.cells[std::size_t(a)] = domain_.cells[a];
     domain.periodic[std::size_t(a)] = setup_.faces[std::size_t(a)][0] == FaceType::periodic;
@@ -102,7 +104,8 @@ void SimulationImpl<D, T>::note_masses() {
   const AlignedVector<T>& nodes = backend_->momenta();
   std::vector<double>& mass = flow_->constraints().masses();
   mass.resize(nodes.size() / node_values);
-  each_node([&](std::size_t r) { mass[r] = double(nodes[r * node_values + mass_slot]); });
+  each_node(
+      [&](std::size_t, std::size_t r) { mass[r] = double(nodes[r * node_values + mass_slot]); });
   backend_->updated_grid().update->move_periodic(mass);
 }
 
@@ -231,7 +234,7 @@ void SimulationImpl<D, T>::load_changes(const ParticleStore<D, T>& store, const 
   const T* aux = store.aux_batch(b) + lane;
   for (int k = 0; k < D * D; ++k) widen(aux + (layout_.increment + k) * width, vector.increment[k]);
   if (strides()) {
-    widen(aux + layout_.growth * width, vector.growth);
+    widen(aux + stride_fields_.growth * width, vector.growth);
     return;
   }
   for (int i = 0; i < vector.count && flow_->keeps_increments(); ++i) {
@@ -281,7 +284,7 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   const AlignedVector<T>& nodes = *grid.velocities;
   std::vector<double>& velocity = flow_->velocity();
   velocity.resize(nodes.size() / node_values * D);
-  each_node([&](std::size_t r) {
+  each_node([&](std::size_t, std::size_t r) {
     for (std::size_t a = 0; a < D; ++a) velocity[r * D + a] = double(nodes[r * node_values + a]);
   });
   FlowStep<D> step;
@@ -297,39 +300,45 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   step.touch = 64 * double(std::numeric_limits<T>::epsilon());
   step.record = setup_.record && setup_.schedule.record_due(step.end);
   step.begins = stride_.begins();
-  step.ends = stride_.ends();
+  step.may_go_on = strides() && stride_.longest() > 1;
   if (!flow_->solve(step, backend_->grid().topology(), executor_.pool())) {
     time_phase(Phase::pressure, start);
     if (halvings < flow_->most_halvings()) return false;
     throw RunFault(flow_->failure(step.end, halvings));
   }
-  change_velocities();
+  const double fastest = change_velocities();
+  if (strides()) stride_.plan(clock_.dt * fastest / setup_.cell_size);
+  flow_->end_step(step, stride_.ends(), executor_.pool());
   grid.update->add_reactions(flow_->reactions());
   time_phase(Phase::pressure, start);
   return true;
 }
 
-/// The velocities under the pressure, and what they do to the nodes within a stride.
+/// The velocities under the pressure, and what they do to the nodes within a stride. Returns the
+/// largest component, which bounds those of the particles: weights are positive and sum to one.
 template <int D, class T>
-void SimulationImpl<D, T>::change_velocities() {
+double SimulationImpl<D, T>::change_velocities() {
   const UpdatedGrid<D, T> grid = backend_->updated_grid();
   AlignedVector<T>& nodes = *grid.velocities;
   AlignedVector<T>& changes = *grid.changes;
   const std::vector<double>& velocity = flow_->velocity();
-  const bool moves = strides() && !(stride_.begins() && stride_.ends());
+  const bool moves = strides() && stride_.longest() > 1;
   if (moves && stride_.begins()) changes.assign(nodes.size(), T(0));
-  each_node([&](std::size_t r) {
+  std::vector<T> fastest(std::size_t(backend_->grid().topology().size()), T(0));
+  each_node([&](std::size_t block, std::size_t r) {
     for (std::size_t a = 0; a < D; ++a) {
       T& v = nodes[r * node_values + a];
       const T changed = T(velocity[r * D + a]);
       if (separate_) changes[r * node_values + a] += changed - v;
       if (moves) changes[r * node_values + a] += T(clock_.dt) * changed;
+      fastest[block] = std::max(fastest[block], std::abs(changed));
       v = changed;
     }
   });
+  return double(*std::max_element(fastest.begin(), fastest.end()));
 }
 
-/// Calls f(record) for all nodes, block by block on any thread.
+/// Calls f(block, record) for all nodes, block by block on any thread.
 template <int D, class T>
 template <class F>
 void SimulationImpl<D, T>::each_node(F&& f) const {
@@ -338,7 +347,7 @@ void SimulationImpl<D, T>::each_node(F&& f) const {
       backend_->grid().topology().size(),
       [&](std::int64_t block, int) {
         const std::size_t begin = std::size_t(block) * count;
-        for (std::size_t r = begin; r < begin + count; ++r) f(r);
+        for (std::size_t r = begin; r < begin + count; ++r) f(std::size_t(block), r);
       },
       16);
 }

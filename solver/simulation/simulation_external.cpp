@@ -4,13 +4,18 @@
 
 namespace scree {
 
+/// Where a particle is. (Within a stride of pore water it is ahead of its position.)
 template <int D, class T>
-std::array<double, 3> SimulationImpl<D, T>::position_of(std::uint64_t key, const T* batch,
-                                                        int lane) const {
+std::array<double, 3> SimulationImpl<D, T>::position_of(std::uint64_t key,
+                                                        const ParticleStore<D, T>& store,
+                                                        std::int32_t batch, int lane) const {
+  constexpr int width = ParticleStore<D, T>::width;
   const BlockCoord<D> block = block_coord<D>(key);
   std::array<double, 3> x{};
   for (int a = 0; a < D; ++a) {
-    const double u = double(batch[a * ParticleStore<D, T>::width + lane]);
+    double u = double(store.batch(batch)[a * width + lane]);
+    if (stride_fields_.ahead >= 0)
+      u += double(store.aux_batch(batch)[(stride_fields_.ahead + a) * width + lane]);
     x[std::size_t(a)] = setup_.lower[std::size_t(a)] +
                         setup_.cell_size * (double(block_cells) * block[std::size_t(a)] + u);
   }
@@ -102,7 +107,7 @@ void SimulationImpl<D, T>::update_loads() {
           }
           external_->deform(id, increment);
         }
-        const std::array<double, 3> x = position_of(block.key, store.batch(b), lane);
+        const std::array<double, 3> x = position_of(block.key, store, b, lane);
         const std::array<double, 3> f =
             external_->acceleration(id, &reference_[3 * std::size_t(id)], x.data(), clock_.time);
         for (int a = 0; a < D; ++a)
@@ -143,14 +148,14 @@ void SimulationImpl<D, T>::update_loads_alone() {
 /// For a fused stride, which makes a force of it in every step.
 template <int D, class T>
 void SimulationImpl<D, T>::weigh_gained_water() {
-  if (layout_.gained < 0) return;
+  if (stride_fields_.gained < 0) return;
   const auto start = std::chrono::steady_clock::now();
   each_gain([&](T* aux, const double* share) {
     constexpr int width = ParticleStore<D, T>::width, lanes = PoreStates<D>::width;
-    T* gained = aux + layout_.gained * width;
+    T* gained = aux + stride_fields_.gained * width;
     for (int i = 0; i < lanes; ++i) gained[i] = T(share[i]);
   });
-  backend_->take_aux(layout_.gained, 1);
+  backend_->take_aux(stride_fields_.gained, 1);
   time_phase(Phase::external, start);
 }
 

@@ -72,6 +72,7 @@ class SimulationImpl final : public Simulation {
   GridDomain<D> make_domain() const;
   Faces<D> make_faces() const;
   AuxLayout make_layout(bool motion) const;
+  StrideFields stride_fields(const AuxLayout& layout) const;
   bool averages() const { return setup_.volumetric_locking == VolumetricLocking::fbar; }
   int volume_ratio_field() const { return averages() ? layout_.total - volume_aux_fields : -1; }
   void start_volume_ratios(State& state);
@@ -104,6 +105,7 @@ class SimulationImpl final : public Simulation {
   void finish_step();
   PassParameters<T> pass_parameters(const State& state, double dt, double dt_next) const;
   Parameters parameters(double dt, double dt_next) const;
+  StrideStep<T> stride_step(double dt_next) const;
   void read_motion(const PassReport<D>& report);
   void read_signals(const PassReport<D>& report);
   void check_fault(const typename PassReport<D>::Fault& found) const;
@@ -121,8 +123,8 @@ class SimulationImpl final : public Simulation {
   void note_masses();
   void collect_flow();
   bool couple_flow(int halvings);
-  bool strides() const { return layout_.growth >= 0; }
-  void change_velocities();
+  bool strides() const { return stride_fields_.growth >= 0; }
+  double change_velocities();
   template <class F>
   void each_node(F&& f) const;
   void halve_step();
@@ -154,7 +156,8 @@ class SimulationImpl final : public Simulation {
   void visit_block(const State& state, std::size_t number, F&& f) const;
   void add_flow(const BodyInfo& info, ParticleView& view) const;
   void require_record(const char* what) const;
-  std::array<double, 3> position_of(std::uint64_t key, const T* batch, int lane) const;
+  std::array<double, 3> position_of(std::uint64_t key, const ParticleStore<D, T>& store,
+                                    std::int32_t batch, int lane) const;
   void write_row(const ParticleView& particle, const State& state,
                  const std::vector<FieldSource>& sources, std::size_t row,
                  std::unique_ptr<MaterialPoint>& point, ParticleSnapshot& out) const;
@@ -170,7 +173,8 @@ class SimulationImpl final : public Simulation {
   bool fused_ = true;
   bool separate_ = false;
   AuxLayout layout_;
-  mutable Executor executor_;  ///< its threads also serve const sums
+  StrideFields stride_fields_;  ///< of layout_
+  mutable Executor executor_;   ///< its threads also serve const sums
   GridDomain<D> domain_;
   std::vector<State> bodies_;
   std::unique_ptr<Backend<D, T>> backend_;  ///< refers to bodies_ and executor_

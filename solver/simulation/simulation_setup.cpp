@@ -93,6 +93,7 @@ SimulationImpl<D, T>::SimulationImpl(SimulationSetup setup,
                  : setup_.path == PathType::fused),
       separate_(needs_separate_force(setup_)),
       layout_(make_layout(true)),
+      stride_fields_(stride_fields(layout_)),
       executor_(setup_.threads),
       domain_(make_domain()) {
   check_path();
@@ -202,22 +203,30 @@ AuxLayout SimulationImpl<D, T>::make_layout(bool motion) const {
     layout.total += entries;
     return layout.total - entries;
   };
-  const bool changing_weight = setup_.coupling && setup_.gravity;
+  if (fused_ && !setup_.coupling) return layout;
+  layout.increment = place(D * D);
   if (fused_) {
-    if (!setup_.coupling) return layout;
-    layout.growth = place(1);
-    if (changing_weight) layout.gained = place(1);
-    layout.increment = place(D * D);
-    if (motion) {
-      layout.gathered = place(D);
-      layout.ahead = place(D);
-    }
+    layout.total = stride_fields(layout).end(layout.total, D);
     return layout;
   }
-  layout.increment = place(D * D);
+  const bool changing_weight = setup_.coupling && setup_.gravity;
   if (setup_.body_force || !setup_.tractions.empty() || changing_weight) layout.external = place(D);
   if (averages()) layout.total += volume_aux_fields;  // last
   return layout;
+}
+
+/// Where the fields of strides lie, behind the others; none without strides.
+template <int D, class T>
+StrideFields SimulationImpl<D, T>::stride_fields(const AuxLayout& layout) const {
+  StrideFields fields;
+  if (!fused_ || !setup_.coupling) return fields;
+  int next = layout.increment + D * D;
+  fields.growth = next++;
+  if (setup_.gravity) fields.gained = next++;
+  if (layout.velocity < 0) return fields;
+  fields.gathered = next;
+  fields.ahead = next + D;
+  return fields;
 }
 
 template <int D, class T>

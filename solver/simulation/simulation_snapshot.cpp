@@ -114,7 +114,7 @@ std::vector<std::int64_t> SimulationImpl<D, T>::choose(const ParticleFilter& fil
   std::vector<std::int64_t> rows(std::size_t(last + 1), -1);
   each_particle(bodies_, [&](std::int64_t id, const auto& store, std::uint64_t key,
                              std::int32_t batch, int lane) {
-    if (filter && !filter(id, position_of(key, store.batch(batch), lane).data())) return;
+    if (filter && !filter(id, position_of(key, store, batch, lane).data())) return;
     rows[std::size_t(id)] = 0;
   });
   return rows;
@@ -228,13 +228,14 @@ void SimulationImpl<D, T>::write_strain_rate(const ParticleView& particle, const
   } else if (setup_.transfer == TransferType::mls) {
     const double h = setup_.cell_size;
     const T* gathered = state.body->store().aux_batch(particle.batch) + particle.lane +
-                        std::max(layout_.gathered, 0) * ParticleStore<D, T>::width;
+                        std::max(stride_fields_.gathered, 0) * ParticleStore<D, T>::width;
     double u[D], affine[D][D];
     for (int a = 0; a < D; ++a) {
       const std::size_t k = std::size_t(a);
       const double moved = step_ > 0 ? clock_.last_dt * particle.velocity[k] : 0;
       u[a] = (particle.position[k] - moved - setup_.lower[k]) / h;
-      if (layout_.gathered >= 0 && step_ > 0) u[a] = gathered[a * ParticleStore<D, T>::width];
+      if (stride_fields_.gathered >= 0 && step_ > 0)
+        u[a] = gathered[a * ParticleStore<D, T>::width];
       u[a] -= std::floor(u[a]);  // the moment is the same in every cell
       for (int c = 0; c < D; ++c) affine[c][a] = particle.affine[c][a] / (h * h);
     }

@@ -125,6 +125,7 @@ void SimulationImpl<D, T>::load_stride(const StateReader& reader) {
   backend_->updated_grid().changes->assign(moved.begin(), moved.end());
   flow_->follow(backend_->grid().topology());
   collect_flow_points(false);
+  note_masses();
 }
 
 template <int D, class T>

@@ -30,15 +30,17 @@ void SimulationImpl<D, T>::step() {
 /// The grid holds the momenta of this step, scattered by the one before.
 template <int D, class T>
 void SimulationImpl<D, T>::step_fused() {
-  stride_.plan(clock_.dt * bounds_.max_speed / setup_.cell_size);
   if (stride_.begins()) collect_flow();
-  note_masses();
+  // Within a stride they stay. (The second step's are once more, for the first step of all is
+  // scattered by another pass and may differ by rounding.)
+  if (stride_.steps() < 2) note_masses();
   update_grid();
   couple_flow(0);  // or it ends the run: such a step is not halved
   if (stride_.begins()) weigh_gained_water();
   const PlannedStep next = plan(clock_.next_time, step_ + 1);
   const auto start = Clock::now();
   recorded_ = setup_.record && setup_.schedule.record_due(clock_.next_time);
+  if (strides()) backend_->set_stride(stride_step(next.dt));
   backend_->g2p2g(parameters(clock_.dt, next.dt));
   const PassReport<D> report = backend_->report();
   time_phase(Phase::particles, start);
@@ -101,6 +103,7 @@ void SimulationImpl<D, T>::first_step() {
   scatter_all(clock_.dt);
   if (setup_.record) return;
   layout_ = make_layout(false);
+  stride_fields_ = stride_fields(layout_);
   backend_->set_layout(layout_);
 }
 
@@ -193,10 +196,6 @@ PassParameters<T> SimulationImpl<D, T>::pass_parameters(const State& state, doub
   par.flip_blend = T(setup_.flip_blend);
   par.record = recorded_ && fused_ && layout_.velocity >= 0;
   par.separate_force = separate_;
-  par.begins_stride = stride_.begins();
-  par.ends_stride = stride_.ends();
-  const std::array<double, 3> gravity = gravity_of(clock_.next_time, dt_next);
-  for (std::size_t a = 0; a < 3; ++a) par.gravity_next[a] = T(gravity[a]);
   for (int a = 0; a < D; ++a) {
     const T far = T(1e30);
     const auto limit = [&](int side, bool open, T at, T outside) {
@@ -213,6 +212,19 @@ PassParameters<T> SimulationImpl<D, T>::pass_parameters(const State& state, doub
   }
   par.derive();
   return par;
+}
+
+/// The step within its stride; dt_next: of the step after it.
+template <int D, class T>
+StrideStep<T> SimulationImpl<D, T>::stride_step(double dt_next) const {
+  StrideStep<T> step;
+  step.fields = stride_fields_;
+  step.begins = stride_.begins();
+  step.ends = stride_.ends();
+  step.steps = stride_.steps() + 1;
+  const std::array<double, 3> gravity = gravity_of(clock_.next_time, dt_next);
+  for (std::size_t a = 0; a < 3; ++a) step.gravity_next[a] = T(gravity[a]);
+  return step;
 }
 
 /// The parameters of a pass, one a body.

@@ -13,6 +13,7 @@ class Stride {
   /// Whether the coming step is the first of a stride, and whether the last.
   bool begins() const { return steps_ == 0; }
   bool ends() const { return ends_; }
+  int longest() const { return most_; }
   double most_drift() const { return most_drift_; }
 
   /// Decides whether the coming step is the last; move: how far a particle goes in one [cells].

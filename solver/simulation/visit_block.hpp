@@ -41,14 +41,11 @@ void SimulationImpl<D, T>::visit_block(const State& state, std::size_t number, F
       if (store.ids(b)[l] < 0) continue;
       ParticleView view;
       view.id = store.ids(b)[l];
-      view.position = position_of(block.key, store.batch(b), l);
+      view.position = position_of(block.key, store, b, l);
       view.volume_ratio = volume_ratio[l];
       view.energy_density = energy[l];
       const T* aux = store.aux_batch(b);
       const auto value = [&](int field) { return double(aux[field * width + l]); };
-      for (int a = 0; layout_.ahead >= 0 && a < D; ++a) {
-        view.position[std::size_t(a)] += value(layout_.ahead + a) * setup_.cell_size;
-      }
       for (int c = 0; c < D; ++c) {
         view.velocity[std::size_t(c)] = value(layout_.velocity + c);
         for (int a = 0; a < D; ++a) {

@@ -96,24 +96,28 @@ struct Underway {
 
 /// Gathers, moves the particles and stores their positions, and what pore water needs of the step.
 template <class Kernel, class G, class V, int D, class T>
-SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassParameters<T>& par,
-                              const AuxLayout& layout, Underway<V, D>& p) {
+SCREE_FN void gather_and_move(G& g, const typename G::Batch& b, const PassData<D, T>& data,
+                              Underway<V, D>& p) {
+  const PassParameters<T>& par = data.parameters;
   V u[D];
   load_position(g, b, u);
   Motion<V, D> motion;
   Mls<Kernel>::gather(g, Kernel::template at<V, D>(u), par.flip_blend, motion);
-  p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
-  if (in_stride<G>(layout)) {
-    p.live = follow_stride<Kernel>(g, b, par, layout, motion, p.increment, u);
+  const bool stride = in_stride<G>(data);
+  if (stride) {
+    p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
+    p.live = follow_stride<Kernel>(g, b, data, motion, p.increment, u);
   } else {
     p.live = move_particle(g, b, par, motion, u);
-    for (int c = 0; c < D; ++c) g.store(b, c, u[c]);
   }
   for (int c = 0; c < D; ++c) {
+    if (!stride) g.store(b, c, u[c]);
     p.u[c] = u[c];
     p.velocity[c] = motion.velocity[c];
     for (int a = 0; a < D; ++a) p.affine[c][a] = motion.affine[c][a];
   }
+  // Last: a GPU has no registers for it before.
+  if (!stride) p.increment = gradient_increment(motion, step_over_cell<V>(g, b, par));
 }
 
 /// Scatters with the stress tau [Pa].
@@ -135,7 +139,7 @@ SCREE_FN void return_to_grid(G& g, const typename G::Batch& b, const PassData<D,
   const auto point = Kernel::template at<V, D>(u);
   if constexpr (G::takes_pore_water) {
     Impulse<V, D> impulse = make_impulse<V, D>(par, tau);
-    add_gained_weight(par, g, b, data.layout, impulse);
+    add_gained_weight(data, g, b, impulse);
     Mls<Kernel>::scatter(g, point, par.particle_mass, motion, impulse, false, p.live);
   } else {  // an impulse with a name would cost a GPU's kernel registers
     Mls<Kernel>::scatter(g, point, par.particle_mass, motion, make_impulse<V, D>(par, tau), false,
@@ -181,14 +185,14 @@ SCREE_FN void g2p2g_block(G& g, const PassData<D, T>& data,
   using V = typename G::V;
   const PassParameters<T>& par = data.parameters;
   g.stage_in(0);
-  if (in_stride<G>(data.layout) && par.sums_stride()) g.stage_in(1);
+  if (in_stride<G>(data) && data.stride.sums(par.record)) g.stage_in(1);
   g.clear(0);
   g.sync();
   constexpr int size = std::min(G::max_set, batches_together<Material>);
   g.template each_set<size>([&](const BatchSet<typename G::Batch, size>& set) {
     Underway<V, D> p[size];
     SCREE_UNROLL_ON_DEVICE for (int i = 0; i < size; ++i) {
-      if (set.holds(i)) gather_and_move<Kernel>(g, set.batch[i], par, data.layout, p[i]);
+      if (set.holds(i)) gather_and_move<Kernel>(g, set.batch[i], data, p[i]);
     }
     if (set.parts < size) p[size - 1] = p[0];
     const auto tau = update_together<Material>(g, set, par, material, p);

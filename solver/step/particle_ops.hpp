@@ -109,14 +109,14 @@ SCREE_FN Mat3<V> gradient_increment(const Motion<V, D>& motion, const V& scale) 
   return increment;
 }
 
-/// Advances the position by a way [cells], reports the motion, checks the movement bound and the
-/// domain's faces.
+/// Advances the position by way(axis) [cells], reports the motion, checks the movement bound and
+/// the domain's faces. farthest(speed): what to report of the way where it is too long.
 ///
 /// Returns 1 for the lanes that may scatter: particles that neither left through an open face nor
 /// strayed beyond the arena.
-template <class G, class V, int D, class T>
+template <class G, class V, int D, class T, class Way, class Farthest>
 SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<T>& par,
-                         const Motion<V, D>& motion, const V (&way)[D], V (&u)[D]) {
+                         const Motion<V, D>& motion, Way&& way, Farthest&& farthest, V (&u)[D]) {
   const V none = broadcast<V>(T(0));
   const MaskOf<V> active = g.active(b);
   V speed = none;
@@ -124,7 +124,7 @@ SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<
   V leaving = none;  // depth beyond an open face [cells], > 0 outside
   V beyond = none;   // the same for closed faces
   for (int a = 0; a < D; ++a) {
-    const V moved = u[a] + way[a];
+    const V moved = u[a] + way(a);  // padding stays where it is
     speed = max(speed, abs(motion.transport[a]));
     stray = max(stray, max(T(home_begin) - moved, moved - T(home_end)));
     const V x = moved + g.block_origin(a);
@@ -137,7 +137,7 @@ SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<
   const MaskOf<V> finite = speed < broadcast<V>(T(1e30));
   const MaskOf<V> inside = stray <= broadcast<V>(T(max_excursion));
   g.fault(active & !finite, FaultCode::not_finite, speed, u, b);
-  g.fault(active & !inside, FaultCode::moved_too_far, speed * par.step_over_cell, u, b);
+  g.fault(active & !inside, FaultCode::moved_too_far, farthest(speed), u, b);
   g.fault(active & (beyond > broadcast<V>(T(0))), FaultCode::left_domain, beyond, u, b);
   g.note_motion(active, speed, stray);
   const MaskOf<V> gone = leaving > broadcast<V>(T(0));
@@ -147,14 +147,14 @@ SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<
   return select(scatters, broadcast<V>(T(1)), none);
 }
 
-/// The same by the way of this step.
+/// The same with the motion of this step.
 template <class G, class V, int D, class T>
 SCREE_FN V move_particle(G& g, const typename G::Batch& b, const PassParameters<T>& par,
                          const Motion<V, D>& motion, V (&u)[D]) {
-  V way[D];
-  const V scale = step_over_cell<V>(g, b, par);  // padding stays where it is
-  for (int a = 0; a < D; ++a) way[a] = motion.transport[a] * scale;
-  return move_particle(g, b, par, motion, way, u);
+  const V scale = step_over_cell<V>(g, b, par);
+  return move_particle(
+      g, b, par, motion, [&](int a) { return motion.transport[a] * scale; },
+      [&](const V& speed) { return speed * par.step_over_cell; }, u);
 }
 
 /// Whether bodies of a law may carry pore pressure: laws say so themselves.

@@ -15,14 +15,23 @@ struct AuxLayout {
   int stress = -1;     ///< 6 entries, Kirchhoff stress [Pa]: xx, xy, xz, yy, yz, zz
   int increment = -1;  ///< D*D entries, dt grad v of the last step (split path) or stride
   int external = -1;   ///< D entries, external force per mass [m/s^2] (loads, gained water)
-  // Fused path with pore water, whose particles stay where they are for some steps
-  // (stride_ops.hpp).
+  int total = 0;
+};
+
+/// More of them, on the fused path with pore water (stride_ops.hpp).
+struct StrideFields {
   int growth = -1;    ///< relative change of volume since the stride's start
   int gained = -1;    ///< mass of the gained water over the particle's
   int gathered = -1;  ///< D entries, with records: position in the last gather [cells from the
                       ///< block's lower corner]
   int ahead = -1;  ///< D entries, with records: how far the particle is from its position [cells]
-  int total = 0;
+
+  /// Entries of a particle with these behind `others`.
+  int end(int others, int dimension) const {
+    if (growth < 0) return others;
+    if (ahead >= 0) return ahead + dimension;
+    return (gained >= 0 ? gained : growth) + 1;
+  }
 };
 
 /// What went wrong with a particle in a pass.
@@ -59,11 +68,6 @@ struct PassParameters {
   T flip_blend = 1;              ///< flip: share of the increment form, 0 = pic
   bool record = false;           ///< fused pass: also store velocity, affine matrix and stress
   bool separate_force = false;   ///< scatter forces into channel 1 (flip, local damping)
-  // With AuxLayout::growth; channel 1 then holds the nodes' displacements since the stride's start,
-  // this step's included [m].
-  bool begins_stride = true;      ///< the step is the first of its stride
-  bool ends_stride = true;        ///< it is the last: particles go to where they have got
-  T gravity_next[3] = {0, 0, 0};  ///< in the step that the scattered forces belong to [m/s^2]
   T alive_lower[3];  ///< a particle outside [alive_lower, alive_upper) is removed [cells]
   T alive_upper[3];
   T closed_lower[3];  ///< a particle outside these is a fault [cells]
@@ -77,14 +81,25 @@ struct PassParameters {
   T impulse_scale = 0;    ///< -dt_next V0/dx: stress -> impulse [m^2 s] (2D: m s)
   T water_stiffness = 0;  ///< undrained_bulk_modulus over density [m^2/s^2]
 
-  /// Whether the pass of a stride gathers from channel 1.
-  SCREE_FN bool sums_stride() const { return ends_stride ? !begins_stride : record; }
-
   void derive() {
     step_over_cell = dt / cell_size;
     impulse_scale = -dt_next * particle_volume / cell_size;
     water_stiffness = undrained_bulk_modulus / (particle_mass / particle_volume);
   }
+};
+
+/// A step within its stride (stride_ops.hpp), where there are any. Channel 1 then holds the nodes'
+/// displacements since the stride's start, this step's included [m].
+template <class T>
+struct StrideStep {
+  StrideFields fields;
+  bool begins = true;             ///< the step is the first of its stride
+  bool ends = true;               ///< it is the last: particles go to where they have got
+  int steps = 1;                  ///< of the stride, this one included
+  T gravity_next[3] = {0, 0, 0};  ///< in the step that the scattered forces belong to [m/s^2]
+
+  /// Whether the pass gathers from channel 1; record: PassParameters'.
+  SCREE_FN bool sums(bool record) const { return ends ? !begins : record; }
 };
 
 /// Flat view of a body's particles and of the grid: all that a pass needs, plain pointers.
@@ -105,6 +120,7 @@ struct PassData {
   const T* read[2] = {nullptr, nullptr};     ///< grid channels gathered from
   T* write[2] = {nullptr, nullptr};          ///< grid channels scattered to
   BlockResult<T>* results = nullptr;         ///< one per body block
+  StrideStep<T> stride;  ///< last: what a GPU's kernels read lies where it did without it
 };
 
 }  // namespace scree

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "materials/log_determinant.hpp"
 #include "solver/step/particle_ops.hpp"
 
 /// Strides (pore water, fused path): for some steps particles stay where they are, as long as none
@@ -12,9 +11,9 @@
 /// its velocities have led.
 namespace scree {
 
-template <class G>
-SCREE_FN bool in_stride(const AuxLayout& layout) {
-  if constexpr (G::takes_pore_water) return layout.growth >= 0;
+template <class G, int D, class T>
+SCREE_FN bool in_stride(const PassData<D, T>& data) {
+  if constexpr (G::takes_pore_water) return data.stride.fields.growth >= 0;
   return false;
 }
 
@@ -39,54 +38,83 @@ SCREE_FN StrideMotion<V, D> stride_motion(const G& g, const typename G::Batch& b
   return stride;
 }
 
-/// Checks the motion of a particle that stays; faces and blocks wait for the stride's end. Returns
-/// 1 for the lanes that may scatter.
-template <class G, class V, int D, class T>
-SCREE_FN V check_motion(G& g, const typename G::Batch& b, const PassParameters<T>& par,
-                        const Motion<V, D>& motion, const V (&u)[D]) {
+/// What the law gets in the last step of a stride: positions have gone through I + S, S the
+/// stride's increment, states through the product of I + dt grad v, steps as they were, which for n
+/// like steps is S^2 (1 - 1/n)/2 more.
+template <class V>
+SCREE_FN void take_back_squares(int steps, const Mat3<V>& stride, Mat3<V>& increment) {
+  using T = Scalar<V>;
+  const T share = T(0.5) * (T(1) - T(1) / T(steps));
+  const Mat3<V> square = stride * stride;
+  for (int c = 0; c < 3; ++c) {
+    for (int a = 0; a < 3; ++a) increment(c, a) = increment(c, a) - square(c, a) * share;
+  }
+}
+
+/// Checks the velocity of a particle that stays; faces and blocks wait for the stride's end.
+/// Returns 1 for the lanes that may scatter.
+template <class G, class V, int D>
+SCREE_FN V check_velocity(G& g, const typename G::Batch& b, const Motion<V, D>& motion,
+                          const V (&u)[D]) {
+  using T = Scalar<V>;
   const V none = broadcast<V>(T(0));
   const MaskOf<V> active = g.active(b);
   V speed = none;
   for (int a = 0; a < D; ++a) speed = max(speed, abs(motion.transport[a]));
   // Written so that a velocity that is not a number fails the test too.
   const MaskOf<V> finite = speed < broadcast<V>(T(1e30));
-  const V moved = speed * par.step_over_cell;
-  const MaskOf<V> near = moved <= broadcast<V>(T(max_excursion));
   g.fault(active & !finite, FaultCode::not_finite, speed, u, b);
-  g.fault(active & !near, FaultCode::moved_too_far, moved, u, b);
   g.note_motion(active, speed, none);
-  return select(active & finite & near, broadcast<V>(T(1)), none);
+  return select(active & finite, broadcast<V>(T(1)), none);
+}
+
+/// Relative change of volume since the stride's start.
+template <class G, class V, class T>
+SCREE_FN void follow_volume(G& g, const typename G::Batch& b, const StrideStep<T>& step, int field,
+                            const Mat3<V>& increment) {
+  V growth = volume_growth(increment);
+  if (!step.begins) {
+    const V before = g.load_aux(b, field);
+    growth = before + (before + T(1)) * growth;
+  }
+  g.store_aux(b, field, growth);
 }
 
 /// Follows the volume over the step and, where the stride ends, moves the particle and stores what
-/// the stride did to it. Returns 1 for the lanes that may scatter.
+/// the stride did to it. increment: dt grad v of the step, for the law. Returns 1 for the lanes
+/// that may scatter.
 template <class Kernel, class G, class V, int D, class T>
-SCREE_FN V follow_stride(G& g, const typename G::Batch& b, const PassParameters<T>& par,
-                         const AuxLayout& layout, const Motion<V, D>& motion,
-                         const Mat3<V>& increment, V (&u)[D]) {
-  V growth = detail::volume_growth(increment);
-  if (!par.begins_stride) {
-    const V before = g.load_aux(b, layout.growth);
-    growth = before + (before + T(1)) * growth;
-  }
-  g.store_aux(b, layout.growth, growth);
-  const bool records = par.record && layout.gathered >= 0;
-  for (int a = 0; a < D && records; ++a) g.store_aux(b, layout.gathered + a, u[a]);
+SCREE_FN V follow_stride(G& g, const typename G::Batch& b, const PassData<D, T>& data,
+                         const Motion<V, D>& motion, Mat3<V>& increment, V (&u)[D]) {
+  const PassParameters<T>& par = data.parameters;
+  const StrideStep<T>& step = data.stride;
+  const StrideFields& fields = step.fields;
+  const bool records = par.record && fields.gathered >= 0;
+  for (int a = 0; a < D && records; ++a) g.store_aux(b, fields.gathered + a, u[a]);
   StrideMotion<V, D> stride;
-  if (par.sums_stride()) {
+  if (step.sums(par.record)) {
     stride = stride_motion<Kernel>(g, b, par, u);
-  } else if (par.ends_stride) {
+    if (step.ends) take_back_squares(step.steps, stride.increment, increment);
+  } else if (step.ends) {
     const V scale = step_over_cell<V>(g, b, par);
     for (int a = 0; a < D; ++a) stride.way[a] = motion.transport[a] * scale;
     stride.increment = increment;
   }
-  if (!par.ends_stride) {
-    for (int a = 0; a < D && records; ++a) g.store_aux(b, layout.ahead + a, stride.way[a]);
-    return check_motion(g, b, par, motion, u);
+  follow_volume(g, b, step, fields.growth, increment);
+  if (!step.ends) {
+    for (int a = 0; a < D && records; ++a) g.store_aux(b, fields.ahead + a, stride.way[a]);
+    return check_velocity(g, b, motion, u);
   }
-  store_increment<V, D>(g, b, layout, stride.increment);
-  for (int a = 0; a < D && records; ++a) g.store_aux(b, layout.ahead + a, broadcast<V>(T(0)));
-  const V live = move_particle(g, b, par, motion, stride.way, u);
+  store_increment<V, D>(g, b, data.layout, stride.increment);
+  for (int a = 0; a < D && records; ++a) g.store_aux(b, fields.ahead + a, broadcast<V>(T(0)));
+  const V live = move_particle(
+      g, b, par, motion, [&](int a) { return stride.way[a]; },
+      [&](const V&) {
+        V farthest = abs(stride.way[0]);
+        for (int a = 1; a < D; ++a) farthest = max(farthest, abs(stride.way[a]));
+        return farthest;
+      },
+      u);
   for (int a = 0; a < D; ++a) g.store(b, a, u[a]);
   return live;
 }
@@ -94,12 +122,13 @@ SCREE_FN V follow_stride(G& g, const typename G::Batch& b, const PassParameters<
 /// The weight of the water that the particle has gained since t = 0, over the next step. (Its mass
 /// stays.)
 template <class V, int D, class T, class G>
-SCREE_FN void add_gained_weight(const PassParameters<T>& par, const G& g,
-                                const typename G::Batch& b, const AuxLayout& layout,
+SCREE_FN void add_gained_weight(const PassData<D, T>& data, const G& g, const typename G::Batch& b,
                                 Impulse<V, D>& impulse) {
-  if (layout.gained < 0) return;
-  const V gained = g.load_aux(b, layout.gained) * (par.dt_next * par.particle_mass);
-  for (int c = 0; c < D; ++c) impulse.external[c] = gained * par.gravity_next[c];
+  const int field = data.stride.fields.gained;
+  if (field < 0) return;
+  const PassParameters<T>& par = data.parameters;
+  const V gained = g.load_aux(b, field) * (par.dt_next * par.particle_mass);
+  for (int c = 0; c < D; ++c) impulse.external[c] = gained * data.stride.gravity_next[c];
 }
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "solver/io/memory_archive.hpp"
@@ -72,7 +73,7 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
 class CoupledStrides : public ::testing::TestWithParam<int> {};
 
 /// What a stride lags behind is of first order in how far particles move within it. Measured for
-/// 0.02, 0.005 and 0.00125 cells: 7e-5, 1.4e-5 and 8e-7 cells; 2e-3, 1.3e-4 and 6e-6 of the largest
+/// 0.02, 0.005 and 0.00125 cells: 1.4e-5, 9e-7 and 2e-7 cells; 1e-3, 2e-5 and 1e-5 of the largest
 /// pressure.
 TEST_P(CoupledStrides, end_where_single_steps_do) {
   const int steps = 400, many = 1000;
@@ -88,19 +89,115 @@ TEST_P(CoupledStrides, end_where_single_steps_do) {
     EXPECT_GT(places, 1e-9) << drift << ": no stride of several steps";
     EXPECT_LT(apart(strides.pressure, single.pressure), 0.2 * drift * largest) << drift;
     EXPECT_NEAR(strides.water.outflow, single.water.outflow,
-                0.5 * drift * std::abs(single.water.outflow));
+                drift * std::abs(single.water.outflow));
     last = places;
   }
 }
 
-/// Volumes that the sum of tr(dt grad v) misses within a stride come back at its end: no water is
-/// lost to them.
+/// Volumes that the sum of tr(dt grad v) misses within a stride come back: no water is lost to
+/// them. What is still missing is that of the last stride, the square of its strain.
 TEST_P(CoupledStrides, lose_no_water) {
-  for (const double drift : {0.0, 0.05}) {
-    SimulationSetup setup = scene(GetParam(), 400, 1000, drift);
-    // What is missed in the last stride alone: its strain squared, of 2e-4.
-    EXPECT_LT(std::abs(outcome(std::move(setup)).water.error), 1e-6) << drift;
+  for (const auto& [drift, strain] : {std::pair{0.0, 1e-5}, {0.001, 1e-5}, {0.05, 4e-3}}) {
+    const Outcome end = outcome(scene(GetParam(), 400, 1000, drift));
+    EXPECT_LT(std::abs(end.water.error), strain * strain) << drift;
   }
+}
+
+/// A sealed square that turns freely at 0.3 per second.
+SimulationSetup turning(int dimension, int stride, double drift) {
+  SimulationSetup setup = make_setup(dimension, {}, dx, {10, 10, 3});
+  setup.faces[2] = {FaceType::symmetry, FaceType::symmetry};
+  const auto points = lattice(Vector(0.2, 0.2, 0), Vector(0.8, 0.8, 0.3), between, dimension);
+  BodySetup& body = add_jelly(setup, points, between, {2e7, 0.2, 2000});
+  body.pores.emplace();
+  body.pores->porosity = 0.4;
+  Matrix turn = Matrix::Zero();
+  turn(0, 1) = -0.3;
+  turn(1, 0) = 0.3;
+  set_velocity(body, Vector::Zero(), turn, Vector(0.5, 0.5, 0));
+  setup.coupling.emplace();
+  setup.coupling->tolerance = 1e-12;
+  setup.coupling->stride = stride;
+  setup.coupling->stride_drift = drift;
+  return setup;
+}
+
+/// Pressures of the particle nearest to a quarter of the square, step by step over the second half
+/// of the run.
+std::vector<double> pressures_within(SimulationSetup setup) {
+  const int steps = 240;
+  set_steps(setup, steps, dt, true);
+  const auto simulation = Simulation::create(std::move(setup));
+  const std::vector<double> start = simulation->particles({"velocity"}).position;
+  const auto away = [&](std::size_t p) {
+    return std::hypot(start[3 * p] - 0.35, start[3 * p + 1] - 0.35);
+  };
+  std::size_t middle = 0;
+  for (std::size_t p = 0; 3 * p < start.size(); ++p) middle = away(p) < away(middle) ? p : middle;
+  std::vector<double> pressures;
+  for (int n = 0; n < steps; ++n) {
+    simulation->step();
+    if (n < steps / 2) continue;
+    const auto snapshot = simulation->particles({"pore_pressure"});
+    pressures.push_back(field(snapshot, "pore_pressure").values.at(middle));
+  }
+  return pressures;
+}
+
+/// The way of particles turns at a stride's end, not in its steps: what would push them all along
+/// does so in the first step of the next one. Its share of rho c v (1.8e4 Pa at the rim) is the
+/// drift over the Courant number, 0.0025 for the whole of the way; the mean stays.
+TEST_P(CoupledStrides, push_a_turning_body_as_single_steps_do_in_the_mean) {
+  const int dimension = GetParam();
+  const std::vector<double> single = pressures_within(turning(dimension, 1, 0));
+  const std::vector<double> strides = pressures_within(turning(dimension, 64, 0.001));
+  const auto mean = [](const std::vector<double>& p) {
+    return std::accumulate(p.begin(), p.end(), 0.0) / double(p.size());
+  };
+  double most = 0;
+  for (const double p : strides) most = std::max(most, std::abs(p - mean(single)));
+  EXPECT_LT(mean(single), -1);
+  EXPECT_NEAR(mean(strides), mean(single), 0.1 * std::abs(mean(single)));
+  EXPECT_LT(most, 0.0025 * 1.8e4);
+}
+
+/// Area between the particles farthest along the diagonals, over that at the start.
+double growth(const std::vector<double>& start, const std::vector<double>& end) {
+  const auto area = [&](const std::vector<double>& x) {
+    double sum = 0;
+    std::array<std::size_t, 4> corner{};
+    const std::array<std::array<int, 2>, 4> way{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto far = [&](std::size_t p) {
+        return way[k][0] * start[3 * p] + way[k][1] * start[3 * p + 1];
+      };
+      for (std::size_t p = 0; 3 * p < start.size(); ++p) {
+        corner[k] = far(p) > far(corner[k]) ? p : corner[k];
+      }
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double *a = &x[3 * corner[k]], *b = &x[3 * corner[(k + 1) % 4]];
+      sum += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    }
+    return sum;
+  };
+  return area(end) / area(start);
+}
+
+/// Particles that go along the chords of their ways take up more room by the square of a stride's
+/// angle, here 1.4e-4, and the law must see it at the stride's end: else a body swells without end,
+/// here by five of them.
+TEST_P(CoupledStrides, deform_particles_as_they_move_them) {
+  SimulationSetup setup = turning(GetParam(), 1000, 0.05);
+  set_steps(setup, 400, dt);
+  const Schedule schedule = setup.schedule;
+  const auto simulation = Simulation::create(std::move(setup));
+  const std::vector<double> start = simulation->particles({"velocity"}).position;
+  run(*simulation, schedule);
+  const auto end = simulation->particles({"volume_ratio"});
+  const std::vector<double>& ratios = field(end, "volume_ratio").values;
+  const double mean = std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(ratios.size());
+  EXPECT_NEAR(growth(start, end.position), mean, 1.5e-4);
 }
 
 /// Positions that are looked at within a stride are those that the velocities have led to.
