@@ -15,7 +15,7 @@ namespace scree {
 template <int D>
 struct PoreRow {
   static constexpr int deformation = 0;          ///< D*D: F since t = 0
-  static constexpr int ratio = D * D;            ///< J of the points of the last step
+  static constexpr int ratio = D * D;            ///< J of the last points
   static constexpr int start_ratio = ratio + 1;  ///< J at t = 0
   static constexpr int pressure = ratio + 2;     ///< [Pa], the latest one looked at
   static constexpr int stored =
