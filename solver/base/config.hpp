@@ -9,8 +9,10 @@
 // registers.
 #if defined(__CUDACC__)
 #define SCREE_FN __host__ __device__ __forceinline__
+#define SCREE_RARE __host__ __device__ __noinline__
 #else
 #define SCREE_FN __attribute__((always_inline)) inline
+#define SCREE_RARE __attribute__((noinline, cold))
 #endif
 
 // SCREE_UNROLL before a loop with a small constant count: the loop vanishes, so its arrays live in

@@ -125,8 +125,8 @@ class CoupledFlow {
   /// After order() knows all points. fill(chunk number, points): sets the points of a chunk, on any
   /// thread, by way of fill().
   void assemble(const std::function<void(std::int32_t, FlowPoints<D>&)>& fill, ThreadPool& pool);
-  /// Follows the pores of a vector of particles since the last points and sets their points. Once for
-  /// all points a particle; any thread.
+  /// Follows the pores of a vector of particles since the last points and sets their points. Once
+  /// for all points a particle; any thread.
   void fill(const FlowVector<D>& particles, const FlowChunk<D>& chunk, FlowPoints<D>& points);
   bool keeps_increments() const { return !own_.empty(); }
   /// What the last step did to a particle, D x D; with FlowDomain::own_increments only. Any thread,

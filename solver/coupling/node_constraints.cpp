@@ -104,16 +104,12 @@ std::int64_t NodeConstraints<D>::root_of(std::int64_t record, Signs& sign) const
   return record;
 }
 
+/// Sets the inverse masses of nodes by themselves; returns those that are folded together, the root
+/// before its ghosts.
 template <int D>
-void NodeConstraints<D>::make_groups() {
-  auto& [inverses, groups, members] = found_;
-  groups.clear();
-  members.clear();
+auto NodeConstraints<D>::find_folds() -> std::vector<Fold> {
+  auto& inverses = found_.inverse;
   inverses.resize(mass_.size());
-  struct Fold {
-    std::int64_t root, record;
-    Signs sign;
-  };
   std::vector<Fold> folds;
   for (std::size_t r = 0; r < mass_.size(); ++r) {
     for (int a = 0; a < D; ++a) {
@@ -126,12 +122,20 @@ void NodeConstraints<D>::make_groups() {
     folds.push_back({root, std::int64_t(r), sign});
     inverses[r].fill(-1);
   }
-  // The root before its ghosts.
   std::sort(folds.begin(), folds.end(), [](const Fold& a, const Fold& b) {
     if (a.root != b.root) return a.root < b.root;
     if ((a.record == a.root) != (b.record == b.root)) return a.record == a.root;
     return a.record < b.record;
   });
+  return folds;
+}
+
+template <int D>
+void NodeConstraints<D>::make_groups() {
+  auto& [inverses, groups, members] = found_;
+  groups.clear();
+  members.clear();
+  const std::vector<Fold> folds = find_folds();
   for (std::size_t i = 0; i < folds.size();) {
     NodeGroup<D> group;
     group.root = folds[i].root;

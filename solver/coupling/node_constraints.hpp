@@ -76,6 +76,11 @@ class NodeConstraints {
                   Position&& position, double touch);
   void hold_walls(const GridDecisions<D>& grid, const std::vector<double>& velocity);
   std::int64_t root_of(std::int64_t record, Signs& sign) const;
+  struct Fold {
+    std::int64_t root, record;
+    Signs sign;
+  };
+  std::vector<Fold> find_folds();
   void make_groups();
   void hold_by_colliders(const std::vector<double>& velocity,
                          const std::vector<Collider>& colliders, const double x[3], double touch,

@@ -80,42 +80,74 @@ SCREE_FN void follow_volume(G& g, const typename G::Batch& b, const StrideStep<T
   g.store_aux(b, field, growth);
 }
 
-/// Follows the volume over the step and, where the stride ends, moves the particle and stores what
-/// the stride did to it. increment: dt grad v of the step, for the law. Returns 1 for the lanes
-/// that may scatter.
+/// A batch at the end of a stride, before and after.
+template <class V, int D>
+struct StrideEnd {
+  V u[D];             ///< position
+  Mat3<V> increment;  ///< dt grad v of the step, for the law
+  V live;             ///< 1 for the lanes that may scatter
+};
+
+/// Moves the particles of a stride that ends and stores what it did to them; with records, also
+/// where they are within one. Seldom called, and not part of the passes' code, which has no
+/// registers to spare.
 template <class Kernel, class G, class V, int D, class T>
-SCREE_FN V follow_stride(G& g, const typename G::Batch& b, const PassData<D, T>& data,
-                         const Motion<V, D>& motion, Mat3<V>& increment, V (&u)[D]) {
+SCREE_RARE void end_or_record(G& g, const typename G::Batch& b, const PassData<D, T>& data,
+                              const Motion<V, D>& motion, StrideEnd<V, D>& end) {
   const PassParameters<T>& par = data.parameters;
   const StrideStep<T>& step = data.stride;
   const StrideFields& fields = step.fields;
   const bool records = par.record && fields.gathered >= 0;
-  for (int a = 0; a < D && records; ++a) g.store_aux(b, fields.gathered + a, u[a]);
+  for (int a = 0; a < D && records; ++a) g.store_aux(b, fields.gathered + a, end.u[a]);
   StrideMotion<V, D> stride;
   if (step.sums(par.record)) {
-    stride = stride_motion<Kernel>(g, b, par, u);
-    if (step.ends) take_back_squares(step.steps, stride.increment, increment);
-  } else if (step.ends) {
+    stride = stride_motion<Kernel>(g, b, par, end.u);
+  } else {
     const V scale = step_over_cell<V>(g, b, par);
     for (int a = 0; a < D; ++a) stride.way[a] = motion.transport[a] * scale;
-    stride.increment = increment;
+    stride.increment = end.increment;
   }
-  follow_volume(g, b, step, fields.growth, increment);
+  for (int a = 0; a < D && records; ++a) {
+    g.store_aux(b, fields.ahead + a, step.ends ? broadcast<V>(T(0)) : stride.way[a]);
+  }
   if (!step.ends) {
-    for (int a = 0; a < D && records; ++a) g.store_aux(b, fields.ahead + a, stride.way[a]);
-    return check_velocity(g, b, motion, u);
+    end.live = check_velocity(g, b, motion, end.u);
+    return;
   }
+  if (!step.begins) take_back_squares(step.steps, stride.increment, end.increment);
   store_increment<V, D>(g, b, data.layout, stride.increment);
-  for (int a = 0; a < D && records; ++a) g.store_aux(b, fields.ahead + a, broadcast<V>(T(0)));
-  const V live = move_particle(
+  end.live = move_particle(
       g, b, par, motion, [&](int a) { return stride.way[a]; },
       [&](const V&) {
         V farthest = abs(stride.way[0]);
         for (int a = 1; a < D; ++a) farthest = max(farthest, abs(stride.way[a]));
         return farthest;
       },
-      u);
-  for (int a = 0; a < D; ++a) g.store(b, a, u[a]);
+      end.u);
+  for (int a = 0; a < D; ++a) g.store(b, a, end.u[a]);
+}
+
+/// Follows the volume over the step and, where the stride ends, moves the particle and stores what
+/// the stride did to it. increment: dt grad v of the step, for the law. Returns 1 for the lanes
+/// that may scatter.
+template <class Kernel, class G, class V, int D, class T>
+SCREE_FN V follow_stride(G& g, const typename G::Batch& b, const PassData<D, T>& data,
+                         const Motion<V, D>& motion, Mat3<V>& increment, V (&u)[D]) {
+  const StrideStep<T>& step = data.stride;
+  V live;
+  if (step.ends || data.parameters.record) {
+    const Motion<V, D> copy = motion;  // so that the pass keeps its own in registers
+    StrideEnd<V, D> end;
+    for (int a = 0; a < D; ++a) end.u[a] = u[a];
+    end.increment = increment;
+    end_or_record<Kernel>(g, b, data, copy, end);
+    for (int a = 0; a < D; ++a) u[a] = end.u[a];
+    increment = end.increment;
+    live = end.live;
+  } else {
+    live = check_velocity(g, b, motion, u);
+  }
+  follow_volume(g, b, step, step.fields.growth, increment);
   return live;
 }
 
