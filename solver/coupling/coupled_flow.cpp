@@ -200,7 +200,7 @@ void CoupledFlow<D>::push_loads(const FlowStep<D>& step, const Topology<D>& topo
         if (m[0] < 0) return;
         for (int a = 0; a < D; ++a) {
           const std::size_t i = std::size_t(r) * D + std::size_t(a);
-          velocity_[i] += step.impulse() * m[std::size_t(a)] * force[i];
+          velocity_[r][a] += step.impulse() * m[std::size_t(a)] * force[i];
         }
       },
       256);
@@ -243,8 +243,7 @@ Vec3<double> CoupledFlow<D>::push_group(const FlowStep<D>& step, const NodeGroup
       if (member.sign[std::size_t(a)] != 0) mass[a] += constraints_.mass(member.record);
       // Roots that no collider holds have their share already.
       if (m == group.begin && group.collider < 0) continue;
-      velocity_[std::size_t(member.record) * D + std::size_t(a)] +=
-          member.sign[std::size_t(a)] * change[a];
+      velocity_[member.record][a] += member.sign[std::size_t(a)] * change[a];
     }
   }
   Vec3<double> impulse{};

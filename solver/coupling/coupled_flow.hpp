@@ -137,8 +137,8 @@ class CoupledFlow {
   const std::array<double, D * D>& increment(std::int64_t id) const {
     return own_[std::size_t(id)];
   }
-  /// Velocities of the nodes, D entries each: v* before solve(), v after it.
-  std::vector<double>& velocity() { return velocity_; }
+  /// Velocities of the nodes, set by the caller: v* before solve(), v after it.
+  NodeVelocities& velocity() { return velocity_; }
   /// Solves for the pressure. False where the solver does not converge: velocity() is then of no
   /// use, and the step may be tried again with another length for the same points.
   [[nodiscard]] bool solve(const FlowStep<D>& step, const Topology<D>& topology, ThreadPool& pool);
@@ -246,8 +246,8 @@ class CoupledFlow {
   std::vector<double> solution_;       ///< by row
   /// By lattice node: pressures of the last steps, the last one first; to start from.
   std::array<std::vector<double>, 3> nodal_;
-  std::vector<double> velocity_;  ///< by node
-  std::vector<double> force_;     ///< by node
+  NodeVelocities velocity_;
+  std::vector<double> force_;  ///< by node
   std::vector<Reaction> reactions_;
   std::vector<double> half_side_;  ///< of each body's boxes at t = 0 [m]
   std::vector<double> biot_;       ///< of each body

@@ -63,8 +63,7 @@ void NodeConstraints<D>::follow_folds(const GridDecisions<D>& grid) {
 
 /// Walls through nodes. Friction that took all of the tangential velocity holds it too.
 template <int D>
-void NodeConstraints<D>::hold_walls(const GridDecisions<D>& grid,
-                                    const std::vector<double>& velocity) {
+void NodeConstraints<D>::hold_walls(const GridDecisions<D>& grid, const NodeVelocities& velocity) {
   held_.assign(mass_.size(), 0);
   constexpr char all = char((1 << D) - 1);
   for (int axis = 0; axis < D; ++axis) {
@@ -72,7 +71,7 @@ void NodeConstraints<D>::hold_walls(const GridDecisions<D>& grid,
     for (const FacePair& pair : (*grid.pairs)[std::size_t(axis)]) {
       const FaceType type = grid.faces->type[std::size_t(axis)][std::size_t(pair.side)];
       if (type == FaceType::periodic || type == FaceType::open) continue;
-      const double* v = &velocity[std::size_t(pair.image) * D];
+      const double* v = velocity[pair.image];
       bool slides = false;
       for (int a = 0; a < D; ++a) slides = slides || (a != axis && v[a] != 0);
       char& held = held_[std::size_t(pair.image)];
@@ -161,11 +160,11 @@ void NodeConstraints<D>::make_groups() {
 /// Takes the directions that colliders hold out of the inverse mass M^-1: with the normal n,
 /// M^-1 - M^-1 n (n . M^-1 n)^-1 n^T M^-1.
 template <int D>
-void NodeConstraints<D>::hold_by_colliders(const std::vector<double>& velocity,
+void NodeConstraints<D>::hold_by_colliders(const NodeVelocities& velocity,
                                            const std::vector<Collider>& colliders,
                                            const double x[3], double touch,
                                            NodeGroup<D>& group) const {
-  const double* v = &velocity[std::size_t(group.root) * D];
+  const double* v = velocity[group.root];
   for (std::size_t c = 0; c < colliders.size(); ++c) {
     const Collider& collider = colliders[c];
     if (!collider.touches(x)) continue;

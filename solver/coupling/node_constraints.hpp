@@ -53,10 +53,10 @@ class NodeConstraints {
   void forget() { known_ = {}; }
   std::int64_t bytes() const;
 
-  /// velocity: D entries a node, after the grid update. position(record): of a node [m].
+  /// velocity: after the grid update. position(record): of a node [m].
   /// `touch`: relative velocities below this share of a node's speed count as contact.
   template <class Position>
-  void find(const GridDecisions<D>& grid, const std::vector<double>& velocity,
+  void find(const GridDecisions<D>& grid, const NodeVelocities& velocity,
             const std::vector<Collider>& colliders, Position&& position, double touch);
   /// Whether the last find() found what the one before it had found.
   bool unchanged() const { return unchanged_; }
@@ -72,9 +72,9 @@ class NodeConstraints {
   static bool slides_or_leaves(const GridDecisions<D>& grid);
   void follow_folds(const GridDecisions<D>& grid);
   template <class Position>
-  void hold_nodes(const std::vector<double>& velocity, const std::vector<Collider>& colliders,
+  void hold_nodes(const NodeVelocities& velocity, const std::vector<Collider>& colliders,
                   Position&& position, double touch);
-  void hold_walls(const GridDecisions<D>& grid, const std::vector<double>& velocity);
+  void hold_walls(const GridDecisions<D>& grid, const NodeVelocities& velocity);
   std::int64_t root_of(std::int64_t record, Signs& sign) const;
   struct Fold {
     std::int64_t root, record;
@@ -82,9 +82,8 @@ class NodeConstraints {
   };
   std::vector<Fold> find_folds();
   void make_groups();
-  void hold_by_colliders(const std::vector<double>& velocity,
-                         const std::vector<Collider>& colliders, const double x[3], double touch,
-                         NodeGroup<D>& group) const;
+  void hold_by_colliders(const NodeVelocities& velocity, const std::vector<Collider>& colliders,
+                         const double x[3], double touch, NodeGroup<D>& group) const;
 
   struct Link {
     std::int32_t to = -1;
@@ -114,7 +113,7 @@ class NodeConstraints {
 
 template <int D>
 template <class Position>
-void NodeConstraints<D>::find(const GridDecisions<D>& grid, const std::vector<double>& velocity,
+void NodeConstraints<D>::find(const GridDecisions<D>& grid, const NodeVelocities& velocity,
                               const std::vector<Collider>& colliders, Position&& position,
                               double touch) {
   const bool same = same_nodes(grid);
@@ -132,7 +131,7 @@ void NodeConstraints<D>::find(const GridDecisions<D>& grid, const std::vector<do
 /// What colliders hold.
 template <int D>
 template <class Position>
-void NodeConstraints<D>::hold_nodes(const std::vector<double>& velocity,
+void NodeConstraints<D>::hold_nodes(const NodeVelocities& velocity,
                                     const std::vector<Collider>& colliders, Position&& position,
                                     double touch) {
   if (colliders.empty()) return;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/coupling/flow_points.hpp"
+#include "solver/coupling/node_velocities.hpp"
 #include "solver/coupling/pressure_matrix.hpp"
 #include "solver/exec/thread_pool.hpp"
 #include "solver/grid/topology.hpp"
@@ -65,13 +66,13 @@ class VolumeOperator {
   /// matrix += schur * sum over nodes of Q_i^T M_i^-1 Q_i, without the nodes in other hands.
   void add(const std::vector<InverseMass<D>>& inverse, double schur, PressureMatrix<D>& matrix,
            ThreadPool& pool) const;
-  /// The matrix's right-hand side -= rate * Q^T v; velocity: D entries a node.
-  void subtract_rates(const std::vector<double>& velocity, double rate, PressureMatrix<D>& matrix,
+  /// The matrix's right-hand side -= rate * Q^T v.
+  void subtract_rates(const NodeVelocities& velocity, double rate, PressureMatrix<D>& matrix,
                       ThreadPool& pool) const;
 
   /// force = Q p; velocity += dt M^-1 Q p but for nodes in other hands; D entries a node.
   void push(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
-            const std::vector<InverseMass<D>>& inverse, double dt, std::vector<double>& velocity,
+            const std::vector<InverseMass<D>>& inverse, double dt, const NodeVelocities& velocity,
             std::vector<double>& force, ThreadPool& pool) const;
 
   /// Q_ij of node `record`: entry axis * stride() + j; j counts the nodes from base(record), last
@@ -107,11 +108,11 @@ class VolumeOperator {
   void add_groups(const std::vector<InverseMass<D>>& inverse, double schur,
                   PressureMatrix<D>& matrix, ThreadPool& pool) const;
   template <int N>
-  void subtract_group(std::size_t group, const std::vector<double>& velocity, double rate,
+  void subtract_group(std::size_t group, const NodeVelocities& velocity, double rate,
                       PressureMatrix<D>& matrix) const;
   template <int N>
   void push_group(std::size_t group, const double* pressure, const InverseMass<D>* inverse,
-                  double dt, double* velocity, double* force) const;
+                  double dt, const NodeVelocities& velocity, double* force) const;
   void group_rows(std::size_t group, const PressureMatrix<D>& matrix, std::int32_t* rows) const;
   template <class F>
   void each_pencil(ThreadPool& pool, F&& f) const;

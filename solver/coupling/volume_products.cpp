@@ -152,7 +152,7 @@ void VolumeOperator<D>::add(const std::vector<InverseMass<D>>& inverse, double s
 
 template <int D>
 template <int N>
-void VolumeOperator<D>::subtract_group(std::size_t group, const std::vector<double>& velocity,
+void VolumeOperator<D>::subtract_group(std::size_t group, const NodeVelocities& velocity,
                                        double rate, PressureMatrix<D>& matrix) const {
   Quad rates[N / 4];
   for (Quad& r : rates) r = broadcast<Quad>(0.0);
@@ -160,7 +160,7 @@ void VolumeOperator<D>::subtract_group(std::size_t group, const std::vector<doub
   for (int s = 0; s < slots_; ++s) {
     const std::size_t place = group * std::size_t(slots_) + std::size_t(s);
     if (empty_[place] != 0) continue;
-    const double* v = velocity.data() + std::size_t(record_[place]) * D;
+    const double* v = velocity[record_[place]];
     for (std::size_t a = 0; a < D; ++a) {
       if (v[a] == 0) continue;
       moves = true;
@@ -181,7 +181,7 @@ void VolumeOperator<D>::subtract_group(std::size_t group, const std::vector<doub
 }
 
 template <int D>
-void VolumeOperator<D>::subtract_rates(const std::vector<double>& velocity, double rate,
+void VolumeOperator<D>::subtract_rates(const NodeVelocities& velocity, double rate,
                                        PressureMatrix<D>& matrix, ThreadPool& pool) const {
   constexpr int narrow = (power(3, D) + 3) / 4 * 4, wide = power(4, D);
   each_pencil(pool, [&](std::size_t begin, std::size_t end) {
@@ -198,8 +198,8 @@ void VolumeOperator<D>::subtract_rates(const std::vector<double>& velocity, doub
 template <int D>
 template <int N>
 void VolumeOperator<D>::push_group(std::size_t group, const double* pressure,
-                                   const InverseMass<D>* inverse, double dt, double* velocity,
-                                   double* force) const {
+                                   const InverseMass<D>* inverse, double dt,
+                                   const NodeVelocities& velocity, double* force) const {
   for (int s = 0; s < slots_; ++s) {
     const std::size_t place = group * std::size_t(slots_) + std::size_t(s);
     if (record_[place] < 0) continue;
@@ -212,7 +212,7 @@ void VolumeOperator<D>::push_group(std::size_t group, const double* pressure,
     for (std::size_t a = 0; a < D; ++a) {
       const double f = dot<N>(q_.data() + (place * D + a) * N, pressure);
       force[record * D + a] = f;
-      if (!held) velocity[record * D + a] += dt * inverse[record][a] * f;
+      if (!held) velocity[std::int64_t(record)][a] += dt * inverse[record][a] * f;
     }
   }
 }
@@ -220,7 +220,7 @@ void VolumeOperator<D>::push_group(std::size_t group, const double* pressure,
 template <int D>
 void VolumeOperator<D>::push(const PressureMatrix<D>& matrix, const std::vector<double>& pressure,
                              const std::vector<InverseMass<D>>& inverse, double dt,
-                             std::vector<double>& velocity, std::vector<double>& force,
+                             const NodeVelocities& velocity, std::vector<double>& force,
                              ThreadPool& pool) const {
   constexpr int narrow = (power(3, D) + 3) / 4 * 4, wide = power(4, D);
   force.resize(place_.size() * D);
@@ -233,9 +233,9 @@ void VolumeOperator<D>::push(const PressureMatrix<D>& matrix, const std::vector<
       if (row[j] >= 0) p[j] = pressure[std::size_t(row[j])];
     }
     if (width_ == 3) {
-      push_group<narrow>(group, p, inverse.data(), dt, velocity.data(), force.data());
+      push_group<narrow>(group, p, inverse.data(), dt, velocity, force.data());
     } else {
-      push_group<wide>(group, p, inverse.data(), dt, velocity.data(), force.data());
+      push_group<wide>(group, p, inverse.data(), dt, velocity, force.data());
     }
   };
   pool.for_each(std::int64_t(groups_.size()), push_one, 64);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "solver/base/error.hpp"
 #include "solver/coupling/coupled_flow.hpp"
@@ -281,12 +282,7 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   if (!flow_) return true;
   const auto start = std::chrono::steady_clock::now();
   const UpdatedGrid<D, T> grid = backend_->updated_grid();
-  const AlignedVector<T>& nodes = *grid.velocities;
-  std::vector<double>& velocity = flow_->velocity();
-  velocity.resize(nodes.size() / node_values * D);
-  each_node([&](std::size_t, std::size_t r) {
-    for (std::size_t a = 0; a < D; ++a) velocity[r * D + a] = double(nodes[r * node_values + a]);
-  });
+  lend_velocities(*grid.velocities);
   FlowStep<D> step;
   step.dt = clock_.dt;
   step.end = clock_.next_time;
@@ -306,7 +302,7 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
     if (halvings < flow_->most_halvings()) return false;
     throw RunFault(flow_->failure(step.end, halvings));
   }
-  const double fastest = change_velocities();
+  const double fastest = take_velocities();
   if (strides()) stride_.plan(clock_.dt * fastest / setup_.cell_size);
   flow_->end_step(step, stride_.ends(), executor_.pool());
   grid.update->add_reactions(flow_->reactions());
@@ -314,25 +310,45 @@ bool SimulationImpl<D, T>::couple_flow(int halvings) {
   return true;
 }
 
+/// To the pore water: those of the grid, or copies where it has no double precision or needs to
+/// know what they were.
+template <int D, class T>
+void SimulationImpl<D, T>::lend_velocities(AlignedVector<T>& nodes) {
+  if constexpr (std::is_same_v<T, double>) {
+    if (!separate_) {
+      flow_->velocity() = {nodes.data(), node_values};
+      return;
+    }
+  }
+  lent_.resize(nodes.size() / node_values * D);
+  flow_->velocity() = {lent_.data(), D};
+  each_node([&](std::size_t, std::size_t r) {
+    for (std::size_t a = 0; a < D; ++a) lent_[r * D + a] = double(nodes[r * node_values + a]);
+  });
+}
+
 /// The velocities under the pressure, and what they do to the nodes within a stride. Returns the
 /// largest component, which bounds those of the particles: weights are positive and sum to one.
 template <int D, class T>
-double SimulationImpl<D, T>::change_velocities() {
+double SimulationImpl<D, T>::take_velocities() {
   const UpdatedGrid<D, T> grid = backend_->updated_grid();
   AlignedVector<T>& nodes = *grid.velocities;
   AlignedVector<T>& changes = *grid.changes;
-  const std::vector<double>& velocity = flow_->velocity();
+  const bool copied = flow_->velocity().first == lent_.data() && !lent_.empty();
   const bool moves = strides() && stride_.longest() > 1;
+  if (!copied && !moves) return 0;
   if (moves && stride_.begins()) changes.assign(nodes.size(), T(0));
   std::vector<T> fastest(std::size_t(backend_->grid().topology().size()), T(0));
   each_node([&](std::size_t block, std::size_t r) {
     for (std::size_t a = 0; a < D; ++a) {
       T& v = nodes[r * node_values + a];
-      const T changed = T(velocity[r * D + a]);
-      if (separate_) changes[r * node_values + a] += changed - v;
-      if (moves) changes[r * node_values + a] += T(clock_.dt) * changed;
-      fastest[block] = std::max(fastest[block], std::abs(changed));
-      v = changed;
+      if (copied) {
+        const T changed = T(lent_[r * D + a]);
+        if (separate_) changes[r * node_values + a] += changed - v;
+        v = changed;
+      }
+      if (moves) changes[r * node_values + a] += T(clock_.dt) * v;
+      fastest[block] = std::max(fastest[block], std::abs(v));
     }
   });
   return double(*std::max_element(fastest.begin(), fastest.end()));

@@ -124,7 +124,8 @@ class SimulationImpl final : public Simulation {
   void collect_flow();
   bool couple_flow(int halvings);
   bool strides() const { return stride_fields_.growth >= 0; }
-  double change_velocities();
+  void lend_velocities(AlignedVector<T>& nodes);
+  double take_velocities();
   template <class F>
   void each_node(F&& f) const;
   void halve_step();
@@ -185,6 +186,7 @@ class SimulationImpl final : public Simulation {
   double external_power_ = 0;  ///< of the same loads at that start [W]
   std::vector<double> collider_work_;     ///< done on the particles since t = 0 [J]
   std::unique_ptr<CoupledFlow<D>> flow_;  ///< pore water, where there is any
+  std::vector<double> lent_;              ///< see lend_velocities()
   std::vector<double> reference_;         ///< X by particle id, 3 each [m]
   StepClock clock_;
   PlannedStep planned_{};

@@ -22,7 +22,7 @@ struct PairAtWall {
 };
 
 PairAtWall pair_at_wall(FaceType type, NoSlip no_slip, PairState state,
-                        const std::vector<double>& velocity) {
+                        std::vector<double> velocity) {
   Faces<2> faces;
   faces.type[1][0] = type;
   faces.no_slip = no_slip;
@@ -37,7 +37,7 @@ PairAtWall pair_at_wall(FaceType type, NoSlip no_slip, PairState state,
   NodeConstraints<2> constraints;
   constraints.masses() = {ghost_mass, image_mass};
   const auto nowhere = [](std::int64_t) { return std::array<double, 3>{}; };
-  constraints.find(decisions, velocity, {}, nowhere, 0.0);
+  constraints.find(decisions, {velocity.data(), 2}, {}, nowhere, 0.0);
   EXPECT_EQ(constraints.groups().size(), 1U);
   const NodeGroup<2>& group = constraints.groups().at(0);
   EXPECT_EQ(group.root, 1);
