@@ -338,7 +338,8 @@ double SimulationImpl<D, T>::take_velocities() {
   const bool moves = strides() && stride_.longest() > 1;
   if (!copied && !moves) return 0;
   if (moves && stride_.begins()) changes.assign(nodes.size(), T(0));
-  std::vector<T> fastest(std::size_t(backend_->grid().topology().size()), T(0));
+  // One more than there are blocks: all particles may have left.
+  std::vector<T> fastest(std::size_t(backend_->grid().topology().size()) + 1, T(0));
   each_node([&](std::size_t block, std::size_t r) {
     for (std::size_t a = 0; a < D; ++a) {
       T& v = nodes[r * node_values + a];

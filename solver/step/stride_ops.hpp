@@ -6,9 +6,9 @@
 /// Strides (pore water, fused path): for some steps particles stay where they are, as long as none
 /// would move by more than a small share of a cell; their velocities and states go on. Weights,
 /// masses of the nodes and all that the pressure's equations are made of are then the same in all
-/// of them. Momentum and volume are as exact as in a stride of one step, for one set of weights
-/// does both. At its end a particle goes where the displacements of the nodes say, which is where
-/// its velocities have led.
+/// of them, and momentum is as exact as in a stride of one step, for one set of weights does all of
+/// it. At its end a particle goes where the displacements of the nodes say, which is where its
+/// velocities have led.
 namespace scree {
 
 template <class G, int D, class T>

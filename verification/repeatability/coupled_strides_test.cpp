@@ -245,6 +245,18 @@ TEST_P(CoupledStrides, looking_leaves_no_trace) {
   EXPECT_EQ(a.water.mass, b.water.mass);
 }
 
+/// A run goes on when the last particle has left.
+TEST_P(CoupledStrides, end_with_nothing) {
+  SimulationSetup setup = turning(GetParam(), 64, 0.001);
+  set_velocity(setup.bodies[0], Vector(4, 0, 0));
+  set_steps(setup, 600, dt);
+  const Schedule schedule = setup.schedule;
+  const auto simulation = Simulation::create(std::move(setup));
+  run(*simulation, schedule);
+  EXPECT_EQ(simulation->particle_count(), 0);
+  EXPECT_NEAR(simulation->history().fluid->error, 0, 1e-9);
+}
+
 INSTANTIATE_TEST_SUITE_P(all, CoupledStrides, ::testing::Values(2, 3));
 
 }  // namespace
