@@ -38,17 +38,6 @@ void PrintTo(const Case& c, std::ostream* out) { *out << to_string(c); }
 
 constexpr double dx = 0.1, between = dx / 2;
 
-DrainageSetup drained_top(const std::vector<Vector>& points, double height, int dimension) {
-  DrainageSetup top;
-  top.name = "top";
-  const double area = dimension == 2 ? between : between * between;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p][1] < height - between) continue;
-    top.faces.push_back({std::int64_t(p), {0, area, 0}, {0, between / 2, 0}});
-  }
-  return top;
-}
-
 BodySetup& add_soil(SimulationSetup& setup, const std::vector<Vector>& points, Soil soil) {
   if (soil == Soil::elastic) return add_jelly(setup, points, between, {2e6, 0.3, 2000});
   DruckerPrager::Input sand;
@@ -85,7 +74,7 @@ SimulationSetup scene(const Case& c, PathType path, double shift = 0) {
   setup.coupling.emplace();
   setup.coupling->tolerance = 450 * c.epsilon();
   setup.coupling->stride = 1;  // the split path has no longer ones
-  setup.coupling->drainage.push_back(drained_top(points, height, c.dimension));
+  setup.coupling->drainage.push_back(drained_top(points, height, between, c.dimension));
   setup.schedule = Schedule(0.05, 0, 0, 0);
   return setup;
 }

@@ -47,14 +47,7 @@ SimulationSetup scene(int dimension, int spacing, bool periodic, VolumetricLocki
   setup.volumetric_locking = locking;
   setup.coupling.emplace();
   setup.coupling->pressure_spacing = spacing;
-  DrainageSetup top;
-  top.name = "top";
-  const double area = dimension == 2 ? between : between * between;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p][1] < 0.35) continue;
-    top.faces.push_back({std::int64_t(p), {0, area, 0}, {0, between / 2, 0}});
-  }
-  setup.coupling->drainage.push_back(top);
+  setup.coupling->drainage.push_back(drained_top(points, 0.4, between, dimension));
   setup.schedule = Schedule(0.05, 5e-3, 0, 0);
   return setup;
 }

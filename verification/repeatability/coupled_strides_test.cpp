@@ -37,14 +37,7 @@ SimulationSetup scene(int dimension, int steps, int stride, double drift,
   setup.coupling->tolerance = 1e-12;
   setup.coupling->stride = stride;
   setup.coupling->stride_drift = drift;
-  DrainageSetup top;
-  top.name = "top";
-  const double area = dimension == 2 ? between : between * between;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (points[p][1] < height - between) continue;
-    top.faces.push_back({std::int64_t(p), {0, area, 0}, {0, between / 2, 0}});
-  }
-  setup.coupling->drainage.push_back(top);
+  setup.coupling->drainage.push_back(drained_top(points, height, between, dimension));
   set_steps(setup, steps, dt);
   return setup;
 }

@@ -36,4 +36,16 @@ SimulationSetup column_setup(const SoilColumn& column, bool drained) {
   return setup;
 }
 
+DrainageSetup drained_top(const std::vector<Vector>& points, double height, double spacing,
+                          int dimension) {
+  DrainageSetup top;
+  top.name = "top";
+  const double area = std::pow(spacing, dimension - 1);
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (points[p][1] < height - spacing) continue;
+    top.faces.push_back({std::int64_t(p), {0, area, 0}, {0, spacing / 2, 0}});
+  }
+  return top;
+}
+
 }  // namespace scree::testing

@@ -47,4 +47,9 @@ struct SoilColumn {
 /// The column with the load on its drained top; `drained`: its top is a drain.
 SimulationSetup column_setup(const SoilColumn& column, bool drained = true);
 
+/// The upper faces of the highest points of a lattice of this spacing, whose top is at `height`, as
+/// the drain "top".
+DrainageSetup drained_top(const std::vector<Vector>& points, double height, double spacing,
+                          int dimension);
+
 }  // namespace scree::testing
