@@ -6,7 +6,7 @@
 
 // SCREE_FN marks a small function that is usable on host and device and is always inlined: point
 // physics is a chain of such functions, and a call in the middle of it would spill all SIMD
-// registers.
+// registers. SCREE_RARE marks one that is seldom called from there and must stay out of it.
 #if defined(__CUDACC__)
 #define SCREE_FN __host__ __device__ __forceinline__
 #define SCREE_RARE __host__ __device__ __noinline__

@@ -21,7 +21,8 @@ void CoupledFlow<D>::prepare(const FlowStep<D>& step, const Topology<D>& topolog
   }
 }
 
-/// again: it may have to be folded otherwise for the same points.
+/// Folds Q as the constraints have it. again: it may have to be folded otherwise for the same
+/// points.
 template <int D>
 void CoupledFlow<D>::fold_volume(bool again) {
   if (folded_ && constraints_.unchanged()) return;
@@ -64,6 +65,7 @@ void CoupledFlow<D>::sum_once(const FlowStep<D>& step, ThreadPool& pool) {
   cells_.add_flow(matrix_);
 }
 
+/// The right-hand side less what tr(dt grad v) misses.
 template <int D>
 void CoupledFlow<D>::subtract_missed(const FlowStep<D>& step) {
   if (step.begins) missed_.begin(cells_.missed());
@@ -72,8 +74,8 @@ void CoupledFlow<D>::subtract_missed(const FlowStep<D>& step) {
   }
 }
 
-/// The same from its parts. The three stay while the points do, the last one while the constraints
-/// do too.
+/// S/dt + H + dt/L sum Q^T M^-1 Q from its parts. The three stay while the points do, the last one
+/// while the constraints do too.
 template <int D>
 void CoupledFlow<D>::sum_matrix(const FlowStep<D>& step, ThreadPool& pool) {
   if (storage_.empty()) {
@@ -92,6 +94,7 @@ void CoupledFlow<D>::sum_matrix(const FlowStep<D>& step, ThreadPool& pool) {
   for (std::size_t i = 0; i < schur_.size(); ++i) sums[i] = per_dt * s[i] + h[i] + impulse * q[i];
 }
 
+/// sums = what add() adds to the matrix.
 template <int D>
 template <class Add>
 void CoupledFlow<D>::sum_up(AlignedVector<double>& sums, Add&& add) {

@@ -61,7 +61,7 @@ class PressureMatrix {
   int centre() const { return centre_; }
   /// The stencils of all rows.
   AlignedVector<double>& stencils() { return half_; }
-  const AlignedVector<double>& stencils() const { return half_; }
+  /// Zeroes them.
   void clear() { half_.assign(half_.size(), 0.0); }
 
   /// Fills values().

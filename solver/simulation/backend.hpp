@@ -132,8 +132,8 @@ class Backend {
   /// body. Only with BackendConfig::volume_ratio, which a backend may refuse.
   virtual void average_volumes(const Parameters&) {}
   virtual void stress(const Parameters& parameters) = 0;
-  /// What the next g2p2g() is in its stride, with AuxLayout::growth. A backend without coupling
-  /// needs none.
+  /// What the next g2p2g() is in its stride, where there are any. A backend without coupling needs
+  /// none.
   virtual void set_stride(const StrideStep<T>&) {}
   /// Velocities to particles and on to the momenta of the next step.
   virtual void g2p2g(const Parameters& parameters) = 0;
