@@ -19,4 +19,14 @@ inline MemoryArchive final_state(SimulationSetup setup, int threads) {
   return archive;
 }
 
+/// The same of a run that goes on from a checkpoint.
+inline MemoryArchive continued_state(const SimulationSetup& setup, const MemoryArchive& from) {
+  const auto simulation = Simulation::create(setup);
+  simulation->load(from);
+  run(*simulation, setup.schedule);
+  MemoryArchive archive;
+  simulation->save(archive);
+  return archive;
+}
+
 }  // namespace scree::testing
